@@ -1,0 +1,23 @@
+#pragma once
+// A rigid motion in space, named for what it maps: `vehicle_from_camera` takes points in the camera's frame
+// to the vehicle's. Metres. Plain value.
+
+#include <Eigen/Geometry>
+
+namespace svchain::geometry {
+
+struct Rigid3 {
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+
+  Eigen::Vector3d operator*(const Eigen::Vector3d& point) const { return rotation * point + translation; }
+  Rigid3 operator*(const Rigid3& other) const {
+    return {rotation * other.rotation, rotation * other.translation + translation};
+  }
+  Rigid3 inverse() const {
+    const Eigen::Quaterniond back = rotation.conjugate();
+    return {back, -(back * translation)};
+  }
+};
+
+}  // namespace svchain::geometry

@@ -1,0 +1,122 @@
+#pragma once
+// The geometric LUT of the paper with its blending LUT: where in which camera every pixel of the composite
+// comes from. One flat, position-independent block of bytes (offsets, no pointers), because it travels
+// between cores in a pool buffer. Shape: a header, the table of the composite's 40x40 blocks (row by row;
+// those at the right and lower edge may be smaller), then each block's content, four lists walked in
+// parallel:
+//   spans       runs of pixels of one row and kind, which cover the block once, row by row
+//   entries     where to sample: a span of one camera takes `count` of them, a blend `count` of its first
+//   camera,
+//               then `count` of its second. Coordinates are relative to the source's box, as fixed_point.h
+//               defines
+//   weights     a blend takes `count`: the share of its first camera in 255ths
+//   background  a span of background takes `count` pixels, b g r
+// A source is a camera with the box (in the camera's image) that tightly encloses the pixels this block takes
+// from it, both neighbours of bilinear samples included; a box is at most 2048 px wide and high.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "algorithms/geometry/rig.h"
+#include "algorithms/geometry/view.h"
+#include "algorithms/synthesis/blend_shape.h"
+
+namespace svchain::synthesis {
+
+inline constexpr int kBlockSize = 40;
+inline constexpr int kLargestBox = 2048;
+inline constexpr uint32_t kLutMagic = 0x54554c47;  // "GLUT"
+inline constexpr uint32_t kLutVersion = 1;
+
+enum class SpanKind : uint8_t { black, background, camera, blend };
+
+struct LutSpan {
+  SpanKind kind;
+  uint8_t row;    // in the block
+  uint8_t start;  // first column in the block
+  uint8_t count;
+  uint8_t first;   // index of the source; the clockwise first of the two in a blend
+  uint8_t second;  // likewise, in a blend only
+};
+
+struct LutSource {
+  uint16_t camera;
+  uint16_t x, y, width, height;  // the box, px
+};
+
+struct LutBlock {
+  uint16_t x, y, width, height;  // in the composite, px
+  uint32_t source_count;
+  std::array<LutSource, 4> sources;  // by rising camera number
+  uint32_t spans_at, span_count;     // offsets in bytes from the LUT's start
+  uint32_t entries_at, entry_count;
+  uint32_t weights_at, weight_count;
+  uint32_t background_at, background_count;
+
+  bool blends() const { return weight_count > 0; }
+};
+
+struct LutHeader {
+  uint32_t magic;
+  uint32_t version;
+  uint32_t bytes;  // of the whole LUT
+  uint32_t camera_count;
+  uint32_t block_count;
+  uint32_t overlap_count;  // blocks times pairs of cameras blended in them
+  int32_t width, height;   // of the composite, px
+  double metres_per_px;
+  double centre_m[2];
+  std::array<std::array<int32_t, 2>, 4> image_size_px;
+};
+
+/// Blocks of a composite of this size.
+size_t block_count(const Eigen::Vector2i& size_px);
+
+/// Bytes that are enough for the LUT of any rig at this view.
+size_t geometric_lut_capacity(const geometry::View& view, size_t cameras);
+
+/// Writes the LUT of a rig of four cameras into memory (aligned to 8 bytes) and returns the bytes used. What
+/// is under the vehicle shows its silhouette, what nobody sees is black. Throws std::invalid_argument, naming
+/// the culprit, where there are not four cameras, the blend's width is out of range, the memory does not
+/// suffice, or a block would need a box above 2048 px.
+size_t build_geometric_lut(const geometry::Rig& rig, const geometry::View& view, const BlendShape& shape,
+                           std::span<std::byte> memory);
+
+/// Reads a LUT in place. Borrows the memory; any number of threads.
+class GeometricLut {
+ public:
+  /// Throws std::invalid_argument for memory that holds no LUT of this version or a truncated one, and where
+  /// a list or box leaves its bounds. Entries are taken on trust.
+  explicit GeometricLut(std::span<const std::byte> memory);
+
+  const LutHeader& header() const { return *at<LutHeader>(0); }
+  std::span<const LutBlock> blocks() const { return {at<LutBlock>(sizeof(LutHeader)), header().block_count}; }
+
+  std::span<const LutSpan> spans(const LutBlock& b) const { return {at<LutSpan>(b.spans_at), b.span_count}; }
+  const uint32_t* entries(const LutBlock& b) const { return at<uint32_t>(b.entries_at); }
+  const uint8_t* weights(const LutBlock& b) const { return at<uint8_t>(b.weights_at); }
+  const uint8_t* background(const LutBlock& b) const { return at<uint8_t>(b.background_at); }
+
+  struct Footprint {
+    size_t bytes = 0;
+    double bytes_per_pixel = 0;    // of the composite
+    size_t empty_blocks = 0;       // no camera
+    size_t one_camera_blocks = 0;  // no pixel with more than one
+    size_t blend_blocks = 0;
+    size_t source_pixels = 0;  // sum of all boxes: what a block-wise DMA would fetch
+  };
+  Footprint footprint() const;
+
+ private:
+  template <class T>
+  const T* at(size_t offset) const {
+    return reinterpret_cast<const T*>(memory_.data() + offset);
+  }
+  void check_block(const LutBlock& block) const;
+
+  std::span<const std::byte> memory_;
+};
+
+}  // namespace svchain::synthesis

@@ -1,0 +1,297 @@
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <opencv2/core.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "algorithms/synthesis/camera_reach.h"
+#include "algorithms/synthesis/camera_shares.h"
+#include "algorithms/synthesis/fixed_point.h"
+#include "algorithms/synthesis/geometric_lut.h"
+#include "algorithms/synthesis/vehicle_silhouette.h"
+
+namespace svchain::synthesis {
+namespace {
+
+constexpr size_t kContentAlignment = 64;  // a block's content starts on a cache line
+constexpr size_t kBlockPixels = kBlockSize * kBlockSize;
+
+[[noreturn]] void refuse(const std::string& message) {
+  throw std::invalid_argument("geometric LUT: " + message);
+}
+
+/// One camera's part in one pixel: where to sample, in 1/32 px of the camera's image.
+struct Tap {
+  int camera = 0;
+  int x = 0;
+  int y = 0;
+};
+
+/// One pixel of the composite. `taps` holds one for a camera, two for a blend.
+struct Cell {
+  SpanKind kind = SpanKind::black;
+  uint8_t weight = 0;
+  Tap taps[2];
+
+  int tap_count() const { return kind == SpanKind::blend ? 2 : kind == SpanKind::camera ? 1 : 0; }
+  bool continues(const Cell& before) const {
+    if (kind != before.kind) return false;
+    for (int i = 0; i < tap_count(); ++i)
+      if (taps[i].camera != before.taps[i].camera) return false;
+    return true;
+  }
+};
+
+/// Decides what a pixel shows.
+class CellMaker {
+ public:
+  CellMaker(const geometry::Rig& rig, const geometry::View& view, const BlendShape& shape)
+      : rig_(rig), view_(view), shape_(shape) {
+    for (const auto& camera : rig.cameras) reaches_.emplace_back(camera, rig.vehicle);
+  }
+
+  Cell make(int column, int row) const {
+    const Eigen::Vector2d ground = view_.ground_from_pixel({column, row});
+    if (is_under_vehicle(rig_.vehicle, ground)) return {SpanKind::background, 0, {}};
+    const CameraShares shares = camera_shares(rig_.vehicle, shape_, ground);
+    return shares.share_of_first >= 0.5 ? make(ground, shares.first, shares.second, shares)
+                                        : make(ground, shares.second, shares.first, shares);
+  }
+
+ private:
+  /// Projection is what building costs, so the lesser camera is asked only where it can matter.
+  Cell make(const Eigen::Vector2d& ground, int main, int other, const CameraShares& shares) const {
+    const auto main_seen = reaches_[main].see(ground);
+    const bool alone = main == shares.first ? shares.share_of_first >= 1 : shares.share_of_first <= 0;
+    if (alone && main_seen && main_seen->fade >= 1) return one(tap(main, *main_seen));
+
+    const auto other_seen = reaches_[other].see(ground);
+    const double main_fade = main_seen ? main_seen->fade : 0;
+    const double other_fade = other_seen ? other_seen->fade : 0;
+    if (main_fade <= 0 && other_fade <= 0) return {};
+
+    const bool in_order = main == shares.first;
+    const int weight = first_weight(shape_, shares.share_of_first, in_order ? main_fade : other_fade,
+                                    in_order ? other_fade : main_fade);
+    const int main_weight = in_order ? weight : 255 - weight;
+    if (main_weight == 255) return one(tap(main, *main_seen));
+    if (main_weight == 0) return one(tap(other, *other_seen));
+    Cell cell{
+        SpanKind::blend, static_cast<uint8_t>(weight), {tap(main, *main_seen), tap(other, *other_seen)}};
+    if (!in_order) std::swap(cell.taps[0], cell.taps[1]);
+    return cell;
+  }
+
+  static Cell one(const Tap& tap) { return {SpanKind::camera, 0, {tap, {}}}; }
+
+  /// Rounds, and keeps the right and lower neighbour of the sample within the image.
+  Tap tap(int camera, const CameraReach::Seen& seen) const {
+    const Eigen::Vector2i& size = rig_.cameras[camera].image_size_px;
+    const auto fixed = [](double px, int length) {
+      const int largest = (length - 1) * int{kOnePixel} - 1;
+      return std::clamp(static_cast<int>(std::lround(px * kOnePixel)), 0, largest);
+    };
+    return {camera, fixed(seen.pixel.x(), size.x()), fixed(seen.pixel.y(), size.y())};
+  }
+
+  const geometry::Rig& rig_;
+  const geometry::View& view_;
+  const BlendShape& shape_;
+  std::vector<CameraReach> reaches_;
+};
+
+/// Grows a LUT at the end of what is written.
+class LutWriter {
+ public:
+  explicit LutWriter(std::span<std::byte> memory) : memory_(memory) {}
+
+  template <class T>
+  T* append(size_t count) {
+    const size_t begin = used_;
+    if (count * sizeof(T) > memory_.size() - begin) refuse("the memory does not suffice");
+    used_ += count * sizeof(T);
+    std::memset(memory_.data() + begin, 0, count * sizeof(T));
+    return reinterpret_cast<T*>(memory_.data() + begin);
+  }
+  template <class T>
+  uint32_t append(const std::vector<T>& items) {
+    const auto offset = static_cast<uint32_t>(used_);
+    T* copy = append<T>(items.size());
+    if (!items.empty()) std::memcpy(copy, items.data(), items.size() * sizeof(T));
+    return offset;
+  }
+  void align(size_t alignment) { append<std::byte>((alignment - used_ % alignment) % alignment); }
+  uint32_t used() const { return static_cast<uint32_t>(used_); }
+
+ private:
+  std::span<std::byte> memory_;
+  size_t used_ = 0;
+};
+
+/// Turns the cells of one block after the other into the LUT's lists.
+class BlockWriter {
+ public:
+  BlockWriter(LutWriter& writer, LutHeader& header, const cv::Mat& background)
+      : writer_(writer), header_(header), background_(background) {}
+
+  /// `cells` are the block's, row by row.
+  void write(LutBlock& block, const Cell* cells) {
+    spans_.clear();
+    entries_.clear();
+    weights_.clear();
+    pixels_.clear();
+    find_sources(block, cells);
+    for (int row = 0; row < block.height; ++row)
+      for (int start = 0; start < block.width;) {
+        const Cell* run = cells + row * block.width + start;
+        int count = 1;
+        while (start + count < block.width && run[count].continues(run[0])) ++count;
+        add_span(block, run, row, start, count);
+        start += count;
+      }
+    writer_.align(kContentAlignment);
+    block.entry_count = static_cast<uint32_t>(entries_.size());
+    block.span_count = static_cast<uint32_t>(spans_.size());
+    block.weight_count = static_cast<uint32_t>(weights_.size());
+    block.background_count = static_cast<uint32_t>(pixels_.size());
+    block.entries_at = writer_.append(entries_);
+    block.spans_at = writer_.append(spans_);
+    block.weights_at = writer_.append(weights_);
+    block.background_at = writer_.append(pixels_);
+  }
+
+ private:
+  void find_sources(LutBlock& block, const Cell* cells) {
+    struct Bounds {
+      int left = 1 << 30, top = 1 << 30, right = -1, bottom = -1;  // first and last pixel
+    };
+    std::array<Bounds, 4> bounds;
+    std::array<bool, 4> overlaps = {};  // by first camera
+    for (const Cell* cell = cells; cell != cells + block.width * block.height; ++cell) {
+      if (cell->kind == SpanKind::blend) overlaps[cell->taps[0].camera] = true;
+      for (int i = 0; i < cell->tap_count(); ++i) {
+        const Tap& tap = cell->taps[i];
+        Bounds& b = bounds[tap.camera];
+        b.left = std::min(b.left, tap.x >> kFractionBits);
+        b.top = std::min(b.top, tap.y >> kFractionBits);
+        b.right = std::max(b.right, (tap.x >> kFractionBits) + 1);
+        b.bottom = std::max(b.bottom, (tap.y >> kFractionBits) + 1);
+      }
+    }
+    header_.overlap_count += static_cast<uint32_t>(std::count(overlaps.begin(), overlaps.end(), true));
+    for (int camera = 0; camera < 4; ++camera) {
+      const Bounds& b = bounds[camera];
+      if (b.right < 0) continue;
+      const int width = b.right - b.left + 1, height = b.bottom - b.top + 1;
+      if (std::max(width, height) > kLargestBox)
+        refuse("the block at " + std::to_string(block.x) + ", " + std::to_string(block.y) + " takes " +
+               std::to_string(width) + " x " + std::to_string(height) + " px of camera " +
+               std::to_string(camera) + ", expected at most " + std::to_string(kLargestBox) +
+               " each way: the view is too coarse");
+      source_of_camera_[camera] = static_cast<uint8_t>(block.source_count);
+      block.sources[block.source_count++] = {static_cast<uint16_t>(camera), static_cast<uint16_t>(b.left),
+                                             static_cast<uint16_t>(b.top), static_cast<uint16_t>(width),
+                                             static_cast<uint16_t>(height)};
+    }
+  }
+
+  void add_span(const LutBlock& block, const Cell* run, int row, int start, int count) {
+    LutSpan span{
+        run->kind, static_cast<uint8_t>(row), static_cast<uint8_t>(start), static_cast<uint8_t>(count), 0, 0};
+    if (run->tap_count() > 0) span.first = source_of_camera_[run->taps[0].camera];
+    if (run->tap_count() > 1) span.second = source_of_camera_[run->taps[1].camera];
+    spans_.push_back(span);
+
+    for (int i = 0; i < run->tap_count(); ++i) {
+      const LutSource& source = block.sources[i == 0 ? span.first : span.second];
+      for (int n = 0; n < count; ++n)
+        entries_.push_back(
+            make_entry(run[n].taps[i].x - source.x * kOnePixel, run[n].taps[i].y - source.y * kOnePixel));
+    }
+    if (run->kind == SpanKind::blend)
+      for (int n = 0; n < count; ++n) weights_.push_back(run[n].weight);
+    if (run->kind == SpanKind::background) {
+      const cv::Vec3b* from = background_.ptr<cv::Vec3b>(block.y + row) + block.x + start;
+      for (int n = 0; n < count; ++n) pixels_.push_back({from[n][0], from[n][1], from[n][2]});
+    }
+  }
+
+  LutWriter& writer_;
+  LutHeader& header_;
+  const cv::Mat& background_;
+  std::array<uint8_t, 4> source_of_camera_ = {};
+  std::vector<LutSpan> spans_;
+  std::vector<uint32_t> entries_;
+  std::vector<uint8_t> weights_;
+  std::vector<std::array<uint8_t, 3>> pixels_;
+};
+
+void check(const geometry::Rig& rig, const geometry::View& view, const BlendShape& shape) {
+  if (rig.cameras.size() != 4) refuse("expected four cameras, got " + std::to_string(rig.cameras.size()));
+  for (const auto& camera : rig.cameras)
+    if (!camera.lens || camera.image_size_px.minCoeff() < 2 || camera.image_size_px.maxCoeff() > 0xFFFF)
+      refuse("camera " + camera.name + " has no lens, or an image that is not 2 to 65535 px wide and high");
+  if (view.size_px.minCoeff() < 1 || view.size_px.maxCoeff() > 0xFFFF || !(view.metres_per_px > 0))
+    refuse("the view is " + std::to_string(view.size_px.x()) + " x " + std::to_string(view.size_px.y()) +
+           " px at " + std::to_string(view.metres_per_px) + " m, expected 1 to 65535 px and more than 0 m");
+  if (!(shape.width_deg >= 0 && shape.width_deg <= 90))
+    refuse("the blend is " + std::to_string(shape.width_deg) + " degrees wide, expected 0 to 90");
+}
+
+void fill_header(LutHeader& header, const geometry::Rig& rig, const geometry::View& view) {
+  header.magic = kLutMagic;
+  header.version = kLutVersion;
+  header.camera_count = 4;
+  header.block_count = static_cast<uint32_t>(block_count(view.size_px));
+  header.width = view.size_px.x();
+  header.height = view.size_px.y();
+  header.metres_per_px = view.metres_per_px;
+  header.centre_m[0] = view.centre_m.x();
+  header.centre_m[1] = view.centre_m.y();
+  for (int i = 0; i < 4; ++i)
+    header.image_size_px[i] = {rig.cameras[i].image_size_px.x(), rig.cameras[i].image_size_px.y()};
+}
+
+}  // namespace
+
+size_t geometric_lut_capacity(const geometry::View& view, size_t cameras) {
+  const size_t taps = std::min<size_t>(cameras, 2);
+  const size_t blocks = block_count(view.size_px);
+  const size_t pixel = taps * sizeof(uint32_t) + 1 + sizeof(LutSpan);  // a blend, in a span of its own
+  return sizeof(LutHeader) + blocks * (sizeof(LutBlock) + kContentAlignment) +
+         size_t(view.size_px.x()) * view.size_px.y() * pixel;
+}
+
+size_t build_geometric_lut(const geometry::Rig& rig, const geometry::View& view, const BlendShape& shape,
+                           std::span<std::byte> memory) {
+  check(rig, view, shape);
+  if (reinterpret_cast<uintptr_t>(memory.data()) % alignof(LutHeader) != 0)
+    refuse("the memory is not aligned");
+
+  LutWriter writer(memory);
+  LutHeader& header = *writer.append<LutHeader>(1);
+  fill_header(header, rig, view);
+  LutBlock* block = writer.append<LutBlock>(header.block_count);
+
+  const cv::Mat background = vehicle_silhouette(rig.vehicle, view);
+  const CellMaker maker(rig, view, shape);
+  BlockWriter blocks(writer, header, background);
+  std::vector<Cell> cells(kBlockPixels);
+  for (int top = 0; top < header.height; top += kBlockSize)
+    for (int left = 0; left < header.width; left += kBlockSize, ++block) {
+      block->x = static_cast<uint16_t>(left);
+      block->y = static_cast<uint16_t>(top);
+      block->width = static_cast<uint16_t>(std::min(kBlockSize, header.width - left));
+      block->height = static_cast<uint16_t>(std::min(kBlockSize, header.height - top));
+      Cell* cell = cells.data();
+      for (int row = top; row < top + block->height; ++row)
+        for (int column = left; column < left + block->width; ++column) *cell++ = maker.make(column, row);
+      blocks.write(*block, cells.data());
+    }
+  header.bytes = writer.used();
+  return header.bytes;
+}
+
+}  // namespace svchain::synthesis

@@ -1,0 +1,28 @@
+#pragma once
+// The composite view from one frame of each camera: block by block, sample, tone-map and blend in one pass
+// (the paper's "Surround view synthesis" and "DSP optimization"). With s the bilinear sample and T the tone
+// curve of a camera and channel, a pixel is, exactly,
+//   T_a[s_a]                                      where one camera shows it
+//   blend(T_a[s_a], T_b[s_b], weight)             where two do
+//   the LUT's background, or black                elsewhere
+// with `bilinear` and `blend` of fixed_point.h. Statistics are of s, before tone mapping, over the pixels
+// that blend.
+
+#include <opencv2/core/mat.hpp>
+#include <span>
+
+#include "algorithms/synthesis/geometric_lut.h"
+#include "algorithms/synthesis/overlap_statistics.h"
+#include "algorithms/synthesis/tone_mapping.h"
+
+namespace svchain::synthesis {
+
+/// `frames` are BGR (CV_8UC3), one per camera of the LUT, rows of any pitch; an empty one stands for a black
+/// picture. `out` is BGR of the view's size and is written completely; `statistics` (may be null) are
+/// overwritten. Throws std::invalid_argument, before the first pixel, where a size or type does not fit.
+/// Allocates nothing, and reads no byte outside the frames. Any thread, as long as no other writes the same
+/// output.
+void synthesize(const GeometricLut& lut, std::span<const cv::Mat> frames, const ToneMapping& tone_mapping,
+                cv::Mat& out, OverlapStatistics* statistics);
+
+}  // namespace svchain::synthesis

@@ -1,0 +1,20 @@
+# OpenCV's own package configuration where there is one (libopencv-dev, a build from source); otherwise the modules one
+# by one, as Debian's light single-module packages (libopencv-core-dev, ...) install them without a configuration.
+find_package(OpenCV CONFIG QUIET COMPONENTS ${OpenCV_FIND_COMPONENTS})
+if(NOT OpenCV_FOUND)
+  find_path(OpenCV_INCLUDE_DIR opencv2/core.hpp PATH_SUFFIXES opencv4)
+  set(required OpenCV_INCLUDE_DIR)
+  set(OpenCV_LIBS "")
+  foreach(module ${OpenCV_FIND_COMPONENTS})
+    find_library(OpenCV_${module}_LIBRARY opencv_${module})
+    list(APPEND required OpenCV_${module}_LIBRARY)
+    if(OpenCV_INCLUDE_DIR AND OpenCV_${module}_LIBRARY AND NOT TARGET opencv_${module})
+      add_library(opencv_${module} SHARED IMPORTED)
+      set_target_properties(opencv_${module} PROPERTIES
+        IMPORTED_LOCATION ${OpenCV_${module}_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${OpenCV_INCLUDE_DIR})
+    endif()
+    list(APPEND OpenCV_LIBS opencv_${module})
+  endforeach()
+  include(FindPackageHandleStandardArgs)
+  find_package_handle_standard_args(OpenCV REQUIRED_VARS ${required})
+endif()

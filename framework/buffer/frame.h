@@ -1,0 +1,80 @@
+#pragma once
+// Frame: a shared, const handle on one to eight buffers of one moment (an image, a set of four, a table). Draft: the same
+// while its one writer still writes it. Handles are counted: the last one to go sends the buffers back to their pool.
+// Thread rule: a handle belongs to the core (thread) of its holder; frames cross cores only through edges.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "framework/buffer/format.h"
+#include "ipc/message.h"
+
+namespace svchain {
+
+class Holder;
+
+class Frame {
+ public:
+  Frame() = default;
+  /// Takes over the references that the message carries.
+  Frame(const ipc::Message& message, Holder& holder);
+  Frame(Frame&& other) noexcept;
+  Frame& operator=(Frame&& other) noexcept;
+  ~Frame() { release(); }
+
+  /// True if it carries buffers.
+  explicit operator bool() const { return holder_ != nullptr && message_.count > 0; }
+
+  uint64_t sequence() const { return message_.sequence; }
+  int count() const { return message_.count; }
+  /// False for a place in a set whose camera gave nothing.
+  bool has(int buffer) const { return message_.buffers[static_cast<size_t>(buffer)] != ipc::kNoBuffer; }
+  int64_t timestamp_ns(int buffer = 0) const { return message_.timestamp_ns[static_cast<size_t>(buffer)]; }
+  int64_t captured_ns() const { return message_.captured_ns; }
+  const Format& format(int buffer = 0) const;
+  std::span<const std::byte> bytes(int buffer = 0) const;
+
+  void set_sequence(uint64_t sequence) { message_.sequence = sequence; }
+  void set_captured_ns(int64_t t) { message_.captured_ns = t; }
+  void set_timestamp_ns(int buffer, int64_t t) { message_.timestamp_ns[static_cast<size_t>(buffer)] = t; }
+
+  /// Moves the buffers of another frame into this one, behind those it has; the first one also gives sequence and
+  /// capture time. A set whose member is missing gets append_missing().
+  void append(Frame&& other);
+  void append_missing();
+  /// A frame of only this buffer of the set.
+  Frame part(int buffer) const;
+  /// Another handle on the same buffers.
+  Frame share() const;
+  void release();
+
+  const ipc::Message& message() const { return message_; }
+  Holder* holder() const { return holder_; }
+  /// Gives the references up to whoever takes the message (an edge).
+  ipc::Message detach();
+
+ private:
+  ipc::Message message_;
+  Holder* holder_ = nullptr;
+};
+
+class Draft {
+ public:
+  Draft() = default;
+  explicit Draft(Frame&& frame) : frame_(std::move(frame)) {}
+  explicit operator bool() const { return static_cast<bool>(frame_); }
+
+  const Format& format(int buffer = 0) const { return frame_.format(buffer); }
+  std::span<std::byte> bytes(int buffer = 0);
+  void set_sequence(uint64_t sequence) { frame_.set_sequence(sequence); }
+  void set_captured_ns(int64_t t) { frame_.set_captured_ns(t); }
+  void set_timestamp_ns(int64_t t) { frame_.set_timestamp_ns(0, t); }
+  /// Ends the writing.
+  Frame publish() && { return std::move(frame_); }
+
+ private:
+  Frame frame_;
+};
+
+}  // namespace svchain

@@ -1,0 +1,337 @@
+#include "framework/chain/runner.h"
+
+#include <exception>
+#include <utility>
+
+namespace svchain {
+
+Runner::Runner(std::string name, std::string core, std::unique_ptr<Link>& link, const LinkDescription& description,
+               OnError on_error, Holder& holder, const Clock& clock, Hooks hooks)
+    : name_(std::move(name)),
+      core_(std::move(core)),
+      link_(link),
+      description_(description),
+      on_error_(on_error),
+      holder_(holder),
+      clock_(clock),
+      hooks_(std::move(hooks)),
+      inputs_(description_.inputs.size()),
+      outputs_(description_.outputs.size()) {
+  for (size_t i = 0; i < inputs_.size(); ++i) {
+    inputs_[i].intake = description_.inputs[i].intake;
+    inputs_[i].optional = description_.inputs[i].optional;
+  }
+}
+
+void Runner::connect_input(int port, Edge& edge, bool feedback, bool exact) {
+  In& in = inputs_[static_cast<size_t>(port)];
+  in.edge = &edge;
+  in.feedback = feedback;
+  if (feedback) in.optional = true;  // its initial token is the link's own initial state
+  if (feedback && !exact) in.intake = Intake::kState;
+  edge.set_wants_absence(in.intake == Intake::kEach);
+}
+
+void Runner::connect_output(int port, Edge* edge, std::vector<Pool*> pools, bool preloaded) {
+  Out& out = outputs_[static_cast<size_t>(port)];
+  out.edge = edge;
+  out.pools = std::move(pools);
+  out.preloaded = preloaded;
+}
+
+Runner::Waiting Runner::waiting(int64_t now_ns) {
+  switch (state_) {
+    case State::kIdle:
+      return {Wait::kEnded, -1};
+    case State::kEnded:
+      for (const In& in : inputs_) {
+        if (in.edge && in.edge->waiting() > 0) return {};  // there is something to discard
+      }
+      return {Wait::kEnded, -1};
+    case State::kFinishing:
+      return waiting_outputs();
+    case State::kRunning:
+      break;
+  }
+  if (is_source()) {
+    if (end_requested_.load(std::memory_order_acquire)) return {};
+    if (now_ns < wake_at_ns_) return {Wait::kTime, -1};
+    return calls_without_room_ ? Waiting{} : waiting_outputs();
+  }
+  if (const Waiting w = waiting_inputs(); !w.ready()) return w;
+  return waiting_outputs();
+}
+
+Runner::Waiting Runner::waiting_inputs() {
+  int feedback_port = -1;
+  bool any = false;
+  for (size_t i = 0; i < inputs_.size(); ++i) {
+    In& in = inputs_[i];
+    const int port = static_cast<int>(i);
+    if (!in.edge) continue;
+    if (in.intake == Intake::kState) {
+      absorb_newest(in);
+      if (!in.frame && !in.optional && !in.ended) return {Wait::kFrame, port};
+    } else if (in.feedback) {
+      if (!feedback_ready(in)) feedback_port = port;
+    } else if (description_.trigger == Trigger::kAny) {
+      any = any || in.edge->waiting() > 0;
+    } else if (!in.has_head && in.edge->waiting() == 0) {
+      return {Wait::kFrame, port};
+    }
+  }
+  if (description_.trigger == Trigger::kAny && !any) return {Wait::kFrame, 0};
+  if (feedback_port >= 0 && !feedback_excused_) return {Wait::kFeedback, feedback_port};
+  return {};
+}
+
+Runner::Waiting Runner::waiting_outputs() {
+  for (size_t i = 0; i < outputs_.size(); ++i) {
+    Out& out = outputs_[i];
+    const bool was_full = std::exchange(out.full, out.edge && out.edge->room() == 0);
+    if (out.full) {
+      if (!was_full) out.edge->note_full();
+      return {Wait::kRoom, static_cast<int>(i)};
+    }
+    if (out.preloaded) continue;
+    for (const Pool* pool : out.pools) {
+      if (pool->free() == 0) return {Wait::kBuffer, static_cast<int>(i)};
+    }
+  }
+  return {};
+}
+
+/// The token that answers the last call, older ones being of no more use. Before the first call nothing is waited for.
+bool Runner::feedback_ready(In& in) {
+  ipc::Message head;
+  while (in.edge->peek(head)) {
+    if (head.kind == ipc::MessageKind::kEnd) return true;
+    if (called_ && head.sequence >= trigger_.sequence) return true;
+    in.edge->take(head);
+    if (head.kind == ipc::MessageKind::kFrame) in.frame = Frame(head, holder_);
+  }
+  return !called_;
+}
+
+void Runner::absorb_newest(In& in) {
+  ipc::Message message;
+  while (in.edge->take(message)) {
+    if (message.kind == ipc::MessageKind::kFrame) in.frame = Frame(message, holder_);
+    if (message.kind == ipc::MessageKind::kEnd) in.ended = true;
+  }
+}
+
+int64_t Runner::run(int64_t now_ns) {
+  now_ns_ = now_ns;
+  if (state_ == State::kEnded) {
+    discard_inputs();
+    return now_ns;
+  }
+  if (state_ == State::kFinishing) {
+    finish_link();
+    return clock_.now_ns();
+  }
+  Gathered gathered = Gathered::kCall;
+  if (is_source()) {
+    wake_at_ns_ = now_ns;
+    if (end_requested_.load(std::memory_order_acquire)) gathered = Gathered::kEnd;
+  } else {
+    gathered = description_.trigger == Trigger::kAny ? gather_any() : gather_all();
+  }
+  if (gathered == Gathered::kCall) call_link();
+  if (gathered == Gathered::kSkip) leave_absences();
+  for (In& in : inputs_) {
+    if (in.intake == Intake::kEach) in.frame.release();
+  }
+  if (gathered == Gathered::kEnd) {
+    state_ = State::kFinishing;
+    if (is_source()) end_outputs();
+  }
+  const int64_t end_ns = clock_.now_ns();
+  if (gathered == Gathered::kCall) {
+    counters_.process.record(end_ns - now_ns);
+    if (!is_source()) counters_.latency.record(end_ns - trigger_.captured_ns);
+  }
+  return end_ns;
+}
+
+/// Takes the head of every kEach input. An edge that drops may have taken its frame back since it was looked at: then
+/// the heads taken so far are kept for the next try.
+bool Runner::take_heads() {
+  for (In& in : inputs_) {
+    if (!in.edge || in.intake == Intake::kState || in.feedback || in.has_head) continue;
+    in.has_head = in.edge->take(in.head);
+    if (!in.has_head) return false;
+  }
+  return true;
+}
+
+Runner::Gathered Runner::gather_all() {
+  if (!take_heads()) return Gathered::kNothing;
+  Gathered gathered = Gathered::kCall;
+  bool triggered = false;
+  bool state_missing = false;
+  for (In& in : inputs_) {
+    if (!in.edge) continue;
+    if (in.intake == Intake::kState) {
+      state_missing = state_missing || (!in.frame && !in.optional);
+    } else if (in.feedback) {
+      gather_feedback(in);
+    } else {
+      in.has_head = false;
+      if (in.head.kind == ipc::MessageKind::kFrame) in.frame = Frame(in.head, holder_);
+      if (in.head.kind == ipc::MessageKind::kEnd) gathered = Gathered::kEnd;
+      if (in.head.kind == ipc::MessageKind::kAbsence && gathered == Gathered::kCall) gathered = Gathered::kSkip;
+      if (!triggered) next_trigger_ = in.head;
+      triggered = true;
+    }
+  }
+  feedback_excused_ = false;
+  if (state_missing && gathered == Gathered::kCall) {  // it ended without ever giving one
+    counters_.dropped.add("state_missing");
+    gathered = Gathered::kSkip;
+  }
+  if (gathered != Gathered::kEnd) {
+    trigger_ = next_trigger_;
+    called_ = true;
+  }
+  return gathered;
+}
+
+void Runner::gather_feedback(In& in) {
+  if (!called_) return;
+  ipc::Message token;
+  if (!in.edge->take(token)) return counters_.late_feedback.add();
+  if (token.kind == ipc::MessageKind::kFrame) in.frame = Frame(token, holder_);
+}
+
+Runner::Gathered Runner::gather_any() {
+  bool frames = false;
+  bool all_ended = true;
+  for (In& in : inputs_) {
+    if (!in.edge || in.ended) continue;
+    ipc::Message message;
+    if (in.edge->take(message)) {
+      if (message.kind == ipc::MessageKind::kEnd) in.ended = true;
+      if (message.kind == ipc::MessageKind::kFrame) {
+        in.frame = Frame(message, holder_);
+        if (!frames) trigger_ = message;
+        frames = true;
+      }
+    }
+    all_ended = all_ended && in.ended;
+  }
+  // Nothing but absences and ends: a call without frames has nothing to say.
+  if (frames) {
+    if (all_ended) state_ = State::kFinishing;
+    return Gathered::kCall;
+  }
+  return all_ended ? Gathered::kEnd : Gathered::kSkip;
+}
+
+void Runner::call_link() {
+  for (Out& out : outputs_) out.sent = false;
+  bool threw = true;
+  try {
+    link_->process(*this);
+    threw = false;
+  } catch (const std::exception& error) {
+    fail(error.what());
+  } catch (...) {
+    fail("threw something that is no std::exception");
+  }
+  if (!threw) counters_.processed.add();
+  leave_absences();
+}
+
+void Runner::fail(const char* what) {
+  counters_.dropped.add("error");
+  if (on_error_ == OnError::kDrop) return;
+  failed_ = true;
+  state_ = State::kFinishing;
+  hooks_.failed({core_, name_, trigger_.sequence, what});
+}
+
+/// Whatever this call has not sent is missing for good: those who wait for it are told.
+void Runner::leave_absences() {
+  if (is_source() || description_.trigger == Trigger::kAny) return;
+  for (Out& out : outputs_) {
+    if (out.edge && !out.sent && out.edge->wants_absence()) {
+      ipc::Message absence;
+      absence.kind = ipc::MessageKind::kAbsence;
+      absence.sequence = trigger_.sequence;
+      absence.captured_ns = trigger_.captured_ns;
+      out.edge->send(absence);
+    }
+    out.sent = false;
+  }
+}
+
+void Runner::finish_link() {
+  bool done = true;
+  try {
+    if (!failed_) done = link_->finish(*this);
+  } catch (const std::exception& error) {
+    fail(error.what());
+  }
+  if (done) end_outputs();
+}
+
+void Runner::end_outputs() {
+  for (Out& out : outputs_) {
+    if (out.edge) out.edge->send_end();
+  }
+  state_ = State::kEnded;
+  hooks_.ended();
+}
+
+void Runner::discard_inputs() {
+  for (In& in : inputs_) {
+    if (in.edge) absorb_newest(in);
+  }
+  release_frames();
+}
+
+void Runner::release_frames() {
+  for (In& in : inputs_) {
+    in.frame.release();
+    if (std::exchange(in.has_head, false)) Frame(in.head, holder_).release();
+  }
+}
+
+Draft Runner::create(int port) {
+  Out& out = outputs_[static_cast<size_t>(port)];
+  ipc::Message message;
+  message.sequence = trigger_.sequence;
+  message.captured_ns = is_source() ? now_ns_ : trigger_.captured_ns;
+  for (Pool* pool : out.pools) {
+    const auto index = pool->take();
+    if (!index) {
+      Frame(message, holder_).release();
+      return {};
+    }
+    message.buffers[message.count] = {pool->id(), *index};
+    message.timestamp_ns[message.count] = trigger_.timestamp_ns[0];
+    ++message.count;
+  }
+  return Draft(Frame(message, holder_));
+}
+
+void Runner::send(int port, Frame&& frame) {
+  Out& out = outputs_[static_cast<size_t>(port)];
+  Frame sent = std::move(frame);
+  if (!out.edge) return;  // nobody listens: the buffers go home
+  if (out.edge->room() == 0) {
+    counters_.dropped.add("no_room");
+    return;
+  }
+  out.sent = true;
+  out.edge->send(sent.detach());
+}
+
+int Runner::room(int port) const {
+  const Out& out = outputs_[static_cast<size_t>(port)];
+  return out.edge ? out.edge->room() : ipc::kMaxBuffers;
+}
+
+}  // namespace svchain

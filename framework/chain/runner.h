@@ -1,0 +1,151 @@
+#pragma once
+// Runs one link on its core: finds out whether it can be called, hands it its frames, sends on what it makes, and keeps
+// the loops and joins behind it going when a frame is lost (every call leaves, on every output, a frame or its absence).
+//
+// Thread rule: everything on the link's core, but for the counters. No function blocks, locks or allocates.
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "framework/chain/edge.h"
+#include "framework/link/call.h"
+#include "framework/link/link.h"
+#include "framework/usecase/use_case.h"
+
+namespace svchain {
+
+/// A call that threw.
+struct Failure {
+  std::string core;
+  std::string link;
+  uint64_t sequence = 0;
+  std::string what;
+  std::string text() const { return core + "/" + link + ": frame " + std::to_string(sequence) + ": " + what; }
+};
+
+struct RunnerCounters {
+  Counter processed, captured;
+  Counter late_feedback;  // calls that went on without the token of a feedback edge
+  DropCounts dropped;
+  Histogram process, latency;
+};
+
+class Runner final : public Call {
+ public:
+  enum class Wait { kNothing, kFrame, kRoom, kBuffer, kFeedback, kTime, kEnded };
+  struct Waiting {
+    Wait what = Wait::kNothing;
+    int port = -1;
+    bool ready() const { return what == Wait::kNothing; }
+  };
+  struct Hooks {
+    std::function<void(Failure)> failed;  // a call threw and the link's policy is to stop
+    std::function<void()> ended;          // nothing more will come from this link
+  };
+
+  Runner(std::string name, std::string core, std::unique_ptr<Link>& link, const LinkDescription& description,
+         OnError on_error, Holder& holder, const Clock& clock, Hooks hooks);
+
+  /// `exact`: the feedback token that answers the last call is waited for (lossless runs); otherwise the newest serves.
+  void connect_input(int port, Edge& edge, bool feedback, bool exact);
+  /// `pools`: one for every buffer of a frame made here; empty where the output forwards. `edge` may be null.
+  void connect_output(int port, Edge* edge, std::vector<Pool*> pools, bool preloaded);
+  void set_calls_without_room(bool value) { calls_without_room_ = value; }
+
+  const std::string& name() const { return name_; }
+  const LinkDescription& description() const { return description_; }
+  Link& link() { return *link_; }
+  const RunnerCounters& counters() const { return counters_; }
+  bool is_source() const { return inputs_.empty(); }
+  bool ended() const { return state_ == State::kEnded; }
+
+  void enable() { state_ = State::kRunning; }
+  /// Source only: the next call ends the stream. Any thread.
+  void request_end() { end_requested_.store(true, std::memory_order_release); }
+  /// The token of a feedback edge is lost for good: the next call goes without.
+  void excuse_feedback() { feedback_excused_ = true; }
+  /// Lets go of every frame held here, after the link's stop().
+  void release_frames();
+
+  Waiting waiting(int64_t now_ns);
+  /// Only when waiting() is ready. Returns the time at its end.
+  int64_t run(int64_t now_ns);
+  /// When a source wants to be called; meaningful while it waits for kTime.
+  int64_t wake_time_ns() const { return wake_at_ns_; }
+
+  // Call:
+  const Frame& input(int port) const override { return inputs_[static_cast<size_t>(port)].frame; }
+  Frame take(int port) override { return std::move(inputs_[static_cast<size_t>(port)].frame); }
+  Draft create(int port) override;
+  void send(int port, Draft&& draft) override { send(port, std::move(draft).publish()); }
+  void send(int port, Frame&& frame) override;
+  int room(int port) const override;
+  int64_t now_ns() const override { return now_ns_; }
+  void drop(const char* reason, uint64_t count) override { counters_.dropped.add(reason, count); }
+  void captured(uint64_t sets) override { counters_.captured.add(sets); }
+  void wake_at(int64_t time_ns) override { wake_at_ns_ = time_ns; }
+  void end() override { request_end(); }
+
+ private:
+  enum class State { kIdle, kRunning, kFinishing, kEnded };
+  struct In {
+    Edge* edge = nullptr;
+    Intake intake = Intake::kEach;
+    bool optional = false;
+    bool feedback = false;
+    bool ended = false;
+    Frame frame;
+    bool has_head = false;  // taken from the edge, not yet part of a call
+    ipc::Message head;
+  };
+  struct Out {
+    Edge* edge = nullptr;
+    std::vector<Pool*> pools;
+    bool preloaded = false;
+    bool sent = false;
+    bool full = false;
+  };
+  enum class Gathered { kNothing, kCall, kSkip, kEnd };
+
+  Waiting waiting_inputs();
+  Waiting waiting_outputs();
+  bool feedback_ready(In& in);
+  void absorb_newest(In& in);
+  bool take_heads();
+  Gathered gather_all();
+  void gather_feedback(In& in);
+  Gathered gather_any();
+  void call_link();
+  void finish_link();
+  void fail(const char* what);
+  void leave_absences();
+  void end_outputs();
+  void discard_inputs();
+
+  std::string name_, core_;
+  std::unique_ptr<Link>& link_;
+  LinkDescription description_;
+  OnError on_error_;
+  Holder& holder_;
+  const Clock& clock_;
+  Hooks hooks_;
+
+  std::vector<In> inputs_;
+  std::vector<Out> outputs_;
+  State state_ = State::kIdle;
+  bool calls_without_room_ = false;
+  std::atomic<bool> end_requested_{false};
+  bool called_ = false;
+  bool failed_ = false;
+  bool feedback_excused_ = false;
+  ipc::Message next_trigger_;
+  ipc::Message trigger_;  // of the call's first input: gives sequence and times to what is made
+  int64_t now_ns_ = 0;
+  int64_t wake_at_ns_ = 0;
+  RunnerCounters counters_;
+};
+
+}  // namespace svchain

@@ -1,0 +1,62 @@
+#pragma once
+// What a configured chain is made of. Private to framework/chain.
+
+#include <atomic>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "framework/chain/chain.h"
+#include "framework/chain/core.h"
+#include "framework/chain/edge.h"
+#include "ipc/shared_region.h"
+
+namespace svchain {
+
+struct Chain::Runtime {
+  std::unique_ptr<Clock> clock;
+  VirtualClock* virtual_clock = nullptr;  // the same, if it is one
+
+  ipc::SharedRegion doorbells_region;
+  std::vector<ipc::Doorbell*> doorbells;  // by core, in the region
+  std::vector<std::unique_ptr<Core>> cores;
+  ipc::SharedRegion returns_region;
+  std::vector<std::unique_ptr<ReturnPath>> return_paths;  // by core
+  PoolTable pools;
+  std::vector<std::unique_ptr<Holder>> holders;  // by link
+  std::vector<std::unique_ptr<Edge>> edges;      // by planned edge
+  std::vector<std::unique_ptr<Runner>> runners;  // by link
+  std::vector<int> position;                     // of a link on its core
+
+  std::vector<std::thread> threads;
+  bool links_started = false;  // at least one: stop() has something to do
+  bool all_started = false;
+  int64_t started_ns = 0;
+  std::atomic<int64_t> finished_ns{0};  // when the last link ended
+  std::atomic<size_t> ended{0};
+  std::mutex finished_mutex;
+  std::condition_variable finished;
+  size_t next_core = 0;  // by hand: whose turn it is
+};
+
+/// What the links said when they were configured.
+struct LinkSetup {
+  std::vector<PortFormat> outputs;
+  std::vector<int> holds;
+  std::vector<int> preloaded;
+  bool calls_without_room = false;
+};
+
+/// Configures every link, source to sink, and checks the formats of the feedback edges afterwards.
+Result<std::vector<LinkSetup>> configure_links(Plan& plan, const Pace& pace);
+
+/// Buffers that an output port needs: its edge's depth and whatever lies behind that keeps frames, and one to write.
+size_t buffers_needed(const Plan& plan, const std::vector<LinkSetup>& setups, int link, int port);
+
+/// Makes cores, pools, edges and runners. Throws std::system_error where memory is short.
+std::unique_ptr<Chain::Runtime> build_runtime(Plan& plan, const std::vector<LinkSetup>& setups,
+                                              const ChainOptions& options, const Runner::Hooks& hooks);
+
+}  // namespace svchain

@@ -1,0 +1,34 @@
+#pragma once
+// The cores of a system on chip, as a SoC file lists them. Plain values.
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "algorithms/json/fault.h"
+
+namespace svchain {
+
+struct SocCore {
+  std::string name;  // "DSP1"
+  std::string kind;  // "C66x", "A15", "M4", "EVE", "SGX"
+  double clock_mhz = 0;
+  int count = 1;  // identical cores behind one name: A15 x2
+};
+
+struct Soc {
+  std::string name;  // "tda2x"
+  std::string title;
+  std::vector<SocCore> cores;
+  std::map<std::string, std::string> roles;  // "host" -> "A15"
+
+  /// The core a name or a role stands for; null if there is none.
+  const SocCore* find(const std::string& core_or_role) const;
+  std::vector<std::string> core_names() const;
+};
+
+Result<Soc> read_soc(const std::filesystem::path& path);
+Result<Soc> parse_soc(const std::string& text, const std::string& file);
+
+}  // namespace svchain

@@ -1,0 +1,75 @@
+#include "links/capture/simulated_source.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "algorithms/scene/motion.h"
+#include "algorithms/scene/renderer.h"
+#include "algorithms/scene/scene_file.h"
+#include "links/configs_folder.h"
+
+namespace svchain {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+class SimulatedSource final : public FrameSource {
+ public:
+  explicit SimulatedSource(scene::Scene scene)
+      : renderer_(std::make_shared<scene::World>(std::move(scene))), scene_(renderer_.world().scene()) {
+    facts_.usual_sets = 300;
+    for (size_t c = 0; c < kCameras; ++c) {
+      const Eigen::Vector2i size = scene_.rig.cameras[c].image_size_px;
+      facts_.size_px[c] = {size.x(), size.y()};
+    }
+  }
+
+  const SourceFacts& facts() const override { return facts_; }
+  std::optional<int64_t> read(uint64_t set, size_t camera, cv::Mat& into) override {
+    const int64_t time_ns = scene::capture_time_ns(scene_, camera, set);
+    renderer_.render(camera, static_cast<double>(time_ns) * 1e-9, set, into);
+    return time_ns;
+  }
+
+ private:
+  scene::Renderer renderer_;
+  const scene::Scene& scene_;
+  SourceFacts facts_;
+};
+
+std::vector<std::string> scene_names() {
+  std::vector<std::string> names;
+  std::error_code failed;
+  for (fs::directory_iterator at(configs_folder() / "scenes", failed), end; !failed && at != end; at.increment(failed)) {
+    if (at->path().extension() == ".json") names.push_back(at->path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace
+
+Result<fs::path> find_scene(const std::string& scene) {
+  std::error_code ignored;
+  const fs::path shipped = configs_folder() / "scenes" / (scene + ".json");
+  if (!scene.empty() && fs::is_regular_file(shipped, ignored)) return shipped;
+  if (fs::is_regular_file(scene, ignored)) return fs::path(scene);
+  const std::vector<std::string> names = scene_names();
+  return fail("simulated:" + scene, "no such scene or file" + did_you_mean(scene, names) + "; there is " +
+                                        (names.empty() ? "none in " + (configs_folder() / "scenes").string()
+                                                       : spoken_list(names)));
+}
+
+Result<std::unique_ptr<FrameSource>> open_simulated(const std::string& scene, const SourceRequest& request) {
+  const auto path = find_scene(scene);
+  if (!path) return tl::unexpected(path.error());
+  auto read = scene::read_scene(*path);
+  if (!read) return tl::unexpected(read.error());
+  read->frame_rate_hz = request.fps;
+  read->seed += request.seed - 1;  // 1, the usual one, leaves the scene's own
+  return std::make_unique<SimulatedSource>(std::move(*read));
+}
+
+}  // namespace svchain

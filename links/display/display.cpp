@@ -1,0 +1,67 @@
+#include "links/display/display.h"
+
+#include <optional>
+
+#include "framework/link/call.h"
+#include "links/display/frame_writer.h"
+#include "links/display/pixel_hash.h"
+
+namespace svchain {
+
+namespace {
+
+class Display final : public Link {
+ public:
+  LinkDescription describe() const override {
+    LinkDescription d;
+    d.type = "display";
+    d.help = "Delivers frames to a file, a folder, a window, or nowhere";
+    d.inputs = {{.name = "frames", .types = {"bgr8"}, .count = 1, .help = "pictures"}};
+    d.parameters = {boolean("sha256", false, "hashes all delivered pixels for the report")};
+    d.delivers = true;
+    return d;
+  }
+
+  void configure(Configuration& configuration) override {
+    output_ = configuration.setting("output").text("value");
+    hash_.reset();
+    if (configuration.parameters().flag("sha256")) hash_.emplace();
+    if (configuration.input(0).empty()) return;  // what comes in is not known: its own fault is reported
+    auto writer = make_writer(output_, {configuration.input(0).front(), configuration.pace().fps});
+    if (!writer) return configuration.faults(writer.error());
+    writer_ = std::move(*writer);
+    if (writer_) configuration.holds(0, writer_->holds());
+  }
+
+  void process(Call& call) override {
+    if (hash_) hash_->add(call.input(0));
+    if (!writer_) return;
+    try {
+      writer_->write(call.take(0));
+    } catch (...) {
+      writer_.reset();  // with what it has begun
+      throw;
+    }
+  }
+
+  void stop() override {
+    const std::unique_ptr<FrameWriter> writer = std::move(writer_);
+    if (writer) writer->finish();
+  }
+
+  void report(nlohmann::json& report) const override {
+    if (hash_) report["output"]["sha256"] = hash_->text();
+    if (output_ != "none") report["output"]["path"] = output_;
+  }
+
+ private:
+  std::string output_;
+  std::unique_ptr<FrameWriter> writer_;
+  std::optional<PixelHash> hash_;
+};
+
+}  // namespace
+
+std::unique_ptr<Link> make_display() { return std::make_unique<Display>(); }
+
+}  // namespace svchain

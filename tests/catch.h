@@ -1,0 +1,8 @@
+#pragma once
+// Catch2 as the distribution has it: version 3 or version 2.
+#if __has_include(<catch2/catch_all.hpp>)
+#include <catch2/catch_all.hpp>
+using Catch::Approx;
+#else
+#include <catch2/catch.hpp>
+#endif

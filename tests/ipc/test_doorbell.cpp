@@ -1,0 +1,34 @@
+#include "ipc/doorbell.h"
+#include "ipc/shared_region.h"
+#include "tests/catch.h"
+
+using namespace svchain::ipc;
+using namespace std::chrono_literals;
+
+TEST_CASE("a bell rung before the wait is not lost") {
+  Doorbell bell;
+  const uint32_t seen = bell.epoch();
+  bell.ring();
+  CHECK_FALSE(bell.wait(seen, 0, std::nullopt));  // without a timeout: it would wait for ever if it were lost
+  CHECK(bell.epoch() != seen);
+}
+
+TEST_CASE("a wait ends when its time is over") {
+  Doorbell bell;
+  CHECK(bell.wait(bell.epoch(), 1, 1ms));
+}
+
+TEST_CASE("a wait whose time is over already does not park") {
+  Doorbell bell;
+  CHECK_FALSE(bell.wait(bell.epoch(), 1, 0ns));
+}
+
+TEST_CASE("a shared region is zeroed and moves with its owner") {
+  SharedRegion region("test", 10'000);
+  REQUIRE(region.bytes().size() == 10'000);
+  CHECK(region.bytes()[9'999] == std::byte{0});
+  region.bytes()[0] = std::byte{42};
+  SharedRegion other = std::move(region);
+  CHECK(region.bytes().empty());
+  CHECK(other.bytes()[0] == std::byte{42});
+}

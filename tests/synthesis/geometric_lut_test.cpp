@@ -1,0 +1,271 @@
+#include "algorithms/synthesis/geometric_lut.h"
+
+#include <cstring>
+#include <random>
+
+#include "algorithms/synthesis/camera_shares.h"
+#include "algorithms/synthesis/own_body.h"
+#include "tests/catch.h"
+#include "tests/synthesis/decoded_lut.h"
+#include "tests/synthesis/four_cameras.h"
+
+using namespace svchain;
+using namespace svchain::synthesis;
+using namespace svchain::testing;
+
+namespace {
+
+/// The rig with one camera's lens ending at this angle.
+geometry::Rig with_narrow_camera(geometry::Rig rig, int camera, double max_angle_deg) {
+  const auto& lens = dynamic_cast<const geometry::KannalaBrandt&>(*rig.cameras[camera].lens);
+  rig.cameras[camera].lens = std::make_shared<geometry::KannalaBrandt>(lens.focal_px(), lens.centre_px(),
+                                                                       lens.k(), max_angle_deg * M_PI / 180);
+  return rig;
+}
+
+int largest_jump(const DecodedLut& lut, const geometry::Rig& rig, const geometry::View& view) {
+  const auto near_vehicle = [&](int column,
+                                int row) {  // there a pixel is a large angle, for corner and camera
+    const Eigen::Vector2d ground = view.ground_from_pixel({column, row}).cwiseAbs();
+    const Eigen::Vector2d corner(rig.vehicle.length_m / 2, rig.vehicle.width_m / 2);
+    return (ground - corner).maxCoeff() < 25 * view.metres_per_px;
+  };
+  const auto shows_cameras = [](const DecodedPixel& p) { return p.tap_count() > 0; };
+  int largest = 0;
+  for (int row = 0; row + 1 < lut.height; ++row)
+    for (int column = 0; column + 1 < lut.width; ++column) {
+      const DecodedPixel& here = lut.at(column, row);
+      if (!shows_cameras(here) || near_vehicle(column, row)) continue;
+      for (const DecodedPixel* next : {&lut.at(column + 1, row), &lut.at(column, row + 1)})
+        for (int camera = 0; camera < 4 && shows_cameras(*next); ++camera)
+          largest = std::max(largest, std::abs(here.weight_of(camera) - next->weight_of(camera)));
+    }
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("every pixel is covered once, and the capacity suffices, at any size and scale") {
+  const auto rig = four_cameras({640, 360});
+  for (const Eigen::Vector2i& size :
+       {Eigen::Vector2i(333, 217), {41, 39}, {40, 40}, {1, 1}, {80, 3}, {220, 270}})
+    for (const double scale : {0.3, 1.0, 4.0}) {
+      auto view = view_of(rig, size);
+      view.metres_per_px *= scale;
+      const OwnedLut owned(rig, view);
+      const DecodedLut lut = decode(owned.lut());
+      CHECK(owned.bytes().size() <= owned.capacity());
+      CHECK(std::all_of(lut.pixels.begin(), lut.pixels.end(), [](auto& p) { return p.times_covered == 1; }));
+      CHECK(owned.lut().header().width == size.x());
+      CHECK(owned.lut().blocks().size() == block_count(size));
+    }
+}
+
+TEST_CASE("the paper's view takes less than six bytes a pixel and is of all three kinds of blocks") {
+  const auto rig = four_cameras();
+  const OwnedLut owned(rig, view_of(rig, {880, 1080}));
+  const auto footprint = owned.lut().footprint();
+  CHECK(footprint.bytes == owned.bytes().size());
+  CHECK(footprint.bytes_per_pixel < 6);
+  CHECK(footprint.empty_blocks > 0);
+  CHECK(footprint.one_camera_blocks > 0);
+  CHECK(footprint.blend_blocks > 0);
+  CHECK(footprint.empty_blocks + footprint.one_camera_blocks + footprint.blend_blocks == 22 * 27);
+}
+
+TEST_CASE("entries lie where the camera sees the ground, to half a step") {
+  const auto rig = four_cameras();
+  const auto view = view_of(rig, {443, 541});
+  const DecodedLut lut = decode(OwnedLut(rig, view).lut());
+  size_t compared = 0;
+  double largest = 0;
+  for (int row = 0; row < lut.height; ++row)
+    for (int column = 0; column < lut.width; ++column)
+      for (int i = 0; i < lut.at(column, row).tap_count(); ++i) {
+        const DecodedTap& tap = lut.at(column, row).taps[i];
+        const Eigen::Vector2d ground = view.ground_from_pixel({column, row});
+        const auto seen = rig.cameras[tap.camera].see({ground.x(), ground.y(), 0});
+        REQUIRE(seen);
+        largest = std::max({largest, std::abs(seen->x() - tap.px()), std::abs(seen->y() - tap.py())});
+        ++compared;
+      }
+  CHECK(compared > 200000);
+  CHECK(largest <= 1.0 / 64 + 1e-9);
+}
+
+TEST_CASE("boxes hold every pixel that is sampled and not one row or column more") {
+  const auto rig = four_cameras({640, 360});
+  const OwnedLut owned(rig, view_of(rig, {333, 217}));
+  const GeometricLut geometric_lut = owned.lut();
+  const DecodedLut lut = decode(geometric_lut);
+  struct Box {
+    int left = 1 << 20, top = 1 << 20, right = -1, bottom = -1;
+  };
+  std::vector<std::array<Box, 4>> boxes(geometric_lut.blocks().size());
+  for (const DecodedPixel& pixel : lut.pixels)
+    for (int i = 0; i < pixel.tap_count(); ++i) {
+      const DecodedTap& tap = pixel.taps[i];
+      Box& box = boxes[pixel.block][tap.camera];
+      box = {std::min(box.left, tap.x), std::min(box.top, tap.y), std::max(box.right, tap.x + 1),
+             std::max(box.bottom, tap.y + 1)};
+    }
+  for (size_t index = 0; index < boxes.size(); ++index) {
+    const LutBlock& block = geometric_lut.blocks()[index];
+    uint32_t cameras = 0;
+    for (const Box& box : boxes[index]) cameras += box.right >= 0;
+    CHECK(block.source_count == cameras);
+    for (uint32_t i = 0; i < block.source_count; ++i) {
+      const LutSource& source = block.sources[i];
+      const Box& box = boxes[index][source.camera];
+      CHECK(source.x == box.left);
+      CHECK(source.y == box.top);
+      CHECK(source.width == box.right - box.left + 1);
+      CHECK(source.height == box.bottom - box.top + 1);
+    }
+  }
+}
+
+TEST_CASE("the vehicle's rectangle is background and nothing else is") {
+  const auto rig = four_cameras({640, 360});
+  for (const Eigen::Vector2d& centre : {Eigen::Vector2d(0, 0), {1.2, -0.7}}) {
+    auto view = view_of(rig, {333, 217});
+    view.centre_m = centre;
+    const DecodedLut lut = decode(OwnedLut(rig, view).lut());
+    size_t wrong = 0, grey = 0;
+    for (int row = 0; row < lut.height; ++row)
+      for (int column = 0; column < lut.width; ++column) {
+        const bool under = is_under_vehicle(rig.vehicle, view.ground_from_pixel({column, row}));
+        wrong += under != (lut.at(column, row).kind == SpanKind::background);
+        grey += lut.at(column, row).background[0] > 0;
+      }
+    CHECK(wrong == 0);
+    CHECK(grey > 1000);
+  }
+}
+
+TEST_CASE("weights change little from pixel to pixel, also where a camera's picture ends") {
+  const auto rig = four_cameras({640, 360});
+  const auto view = view_of(rig, {440, 540});
+  CHECK(largest_jump(decode(OwnedLut(rig, view).lut()), rig, view) <= 20);
+  for (const double angle_deg : {60.0, 75.0}) {
+    const auto narrow = with_narrow_camera(rig, 0, angle_deg);
+    CHECK(largest_jump(decode(OwnedLut(narrow, view).lut()), narrow, view) <= 30);
+  }
+}
+
+TEST_CASE("a neighbour fills what a camera does not see of its own zone") {
+  const auto rig = four_cameras({640, 360});
+  const auto narrow = with_narrow_camera(rig, 3, 50);
+  const auto view = view_of(rig, {220, 270});
+  const DecodedLut lut = decode(OwnedLut(narrow, view).lut());
+  size_t filled = 0, black = 0, wrong = 0;
+  for (int row = 0; row < lut.height; ++row)
+    for (int column = 0; column < lut.width; ++column) {
+      const Eigen::Vector2d ground = view.ground_from_pixel({column, row});
+      if (std::abs(ground.x()) > 2.4 || ground.y() < 0.95) continue;
+      const Eigen::Vector3d point(ground.x(), ground.y(), 0);
+      const bool own = narrow.cameras[3].see(point).has_value();
+      const auto& other = narrow.cameras[ground.x() >= 0 ? 0 : 2];
+      const auto in_neighbour = other.see(point);
+      const double past_body =
+          sight_past_body(narrow.vehicle, other.vehicle_from_camera.translation.head<2>(), ground);
+      const bool neighbour = in_neighbour && in_neighbour->minCoeff() > 1 && in_neighbour->x() < 638 &&
+                             in_neighbour->y() < 358 && past_body > 0;  // well within its picture
+      const DecodedPixel& pixel = lut.at(column, row);
+      if (own) wrong += pixel.tap_count() == 0;
+      if (own) continue;
+      if (neighbour) (pixel.kind == SpanKind::camera && pixel.taps[0].camera != 3 ? filled : wrong) += 1;
+      if (!in_neighbour || past_body <= 0) (pixel.kind == SpanKind::black ? black : wrong) += 1;
+    }
+  CHECK(wrong == 0);
+  CHECK(filled > 100);
+  CHECK(black > 0);
+}
+
+TEST_CASE("a binary blend shows one camera everywhere") {
+  const auto rig = four_cameras({640, 360});
+  const OwnedLut owned(rig, view_of(rig, {220, 270}), {0});
+  CHECK(owned.lut().header().overlap_count == 0);
+  CHECK(owned.lut().footprint().blend_blocks == 0);
+}
+
+TEST_CASE("a LUT reads the same at another address") {
+  const auto rig = four_cameras({640, 360});
+  const OwnedLut owned(rig, view_of(rig, {220, 270}));
+  std::vector<std::byte> moved(owned.bytes().size() + 64);
+  std::memcpy(moved.data() + 64, owned.bytes().data(), owned.bytes().size());
+  const GeometricLut copy(std::span<const std::byte>(moved).subspan(64));
+  const DecodedLut a = decode(owned.lut()), b = decode(copy);
+  CHECK(std::equal(a.pixels.begin(), a.pixels.end(), b.pixels.begin(), [](auto& p, auto& q) {
+    return p.kind == q.kind && p.weight == q.weight && p.background == q.background &&
+           p.taps[0].px() == q.taps[0].px() && p.taps[1].py() == q.taps[1].py();
+  }));
+}
+
+TEST_CASE("memory that holds no whole LUT is refused") {
+  const auto rig = four_cameras({640, 360});
+  const OwnedLut owned(rig, view_of(rig, {120, 90}));
+  std::vector<std::byte> memory(owned.bytes().begin(), owned.bytes().end());
+  const auto open = [&] { GeometricLut{std::span<const std::byte>(memory)}; };
+  auto& header = *reinterpret_cast<LutHeader*>(memory.data());
+  auto* blocks = reinterpret_cast<LutBlock*>(memory.data() + sizeof(LutHeader));
+  CHECK_NOTHROW(open());
+
+  SECTION("truncated") {
+    memory.resize(memory.size() - 1);
+  }
+  SECTION("without a header") {
+    memory.resize(8);
+  }
+  SECTION("something else") {
+    header.magic ^= 1;
+  }
+  SECTION("of another version") {
+    ++header.version;
+  }
+  SECTION("with another number of blocks") {
+    ++header.block_count;
+  }
+  SECTION("with entries beyond the end") {
+    blocks[2].entries_at = header.bytes;
+  }
+  SECTION("with an endless list of spans") {
+    blocks[2].span_count = 0xFFFFFFFF;
+  }
+  SECTION("with a box beyond the image") {
+    blocks[0].sources[0].x = 639;
+  }
+  SECTION("with a camera too many") {
+    blocks[0].sources[0].camera = 4;
+  }
+  SECTION("with a block beyond the view") {
+    blocks[2].x = 100;
+  }
+  CHECK_THROWS_AS(open(), std::invalid_argument);
+}
+
+TEST_CASE("what cannot be built is refused by name") {
+  auto rig = four_cameras({640, 360});
+  auto view = view_of(rig, {120, 90});
+  std::vector<std::byte> memory(geometric_lut_capacity(view, 4));
+  const auto complaint = [&](double width_deg, std::span<std::byte> into) -> std::string {
+    try {
+      build_geometric_lut(rig, view, {width_deg}, into);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto says = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  CHECK(complaint(60, memory).empty());
+  CHECK(says(complaint(120, memory), "120"));
+  CHECK(says(complaint(120, memory), "0 to 90"));
+  CHECK(says(complaint(60, std::span<std::byte>(memory).first(5000)), "memory"));
+  view.metres_per_px = 0;
+  CHECK(says(complaint(60, memory), "view"));
+  view.metres_per_px = 0.05;
+  rig.cameras.pop_back();
+  CHECK(says(complaint(60, memory), "four cameras"));
+}

@@ -1,0 +1,46 @@
+#pragma once
+// The program's commands, a file for each. They return the exit status; results go to stdout, everything else
+// to stderr.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "usecases/svchain/plan_use_case.h"
+
+namespace svchain::program {
+
+/// Numbers as they were typed: bad ones are faults beside all others.
+struct RunOptions {
+  UseCaseRequest use_case;
+  std::optional<std::string> frames, fps, seed;
+  std::string clock = "steady";
+  std::optional<std::string> report;  // a file, or "-" for stdout
+};
+int run(const RunOptions& options);
+
+/// "usecases", "links", "socs", "lenses", or "" for all of them.
+int list(const std::string& what);
+
+int validate(const std::vector<std::filesystem::path>& files);
+
+struct GraphOptions {
+  UseCaseRequest use_case;
+  std::string format = "dot";
+};
+int graph(const GraphOptions& options);
+
+int schema(const std::string& kind);
+
+struct ImportOptions {
+  std::string format;
+  std::vector<std::filesystem::path> files;
+  std::filesystem::path output;
+  // The composite that the files of "diy" lead to; what is not given is as that project has it.
+  std::optional<std::vector<int>> canvas_size_px, car_min_px, car_max_px;
+  std::optional<double> canvas_metres_per_px;
+};
+int import_rig(const ImportOptions& options);
+
+}  // namespace svchain::program

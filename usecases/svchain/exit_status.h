@@ -1,0 +1,11 @@
+#pragma once
+// What the program's exit status says.
+
+namespace svchain::program {
+
+constexpr int kDone = 0;
+constexpr int kFailed = 1;         // the run failed
+constexpr int kBadUsage = 2;       // a bad option or a bad file
+constexpr int kInterrupted = 130;  // by a second signal: at once
+
+}  // namespace svchain::program

@@ -1,0 +1,23 @@
+#include "usecases/svchain/file_kind.h"
+
+#include <nlohmann/json.hpp>
+
+namespace svchain::program {
+
+const char* name_of(FileKind kind) {
+  constexpr const char* kNames[] = {"use case", "rig", "SoC", "scene"};
+  return kNames[static_cast<int>(kind)];
+}
+
+Result<FileKind> kind_of(const json::Document& document) {
+  const nlohmann::json& root = document.root();
+  if (root.contains("links") || root.contains("edges")) return FileKind::kUseCase;
+  if (root.contains("cores")) return FileKind::kSoc;
+  if (root.contains("rig") || root.contains("ground")) return FileKind::kScene;
+  if (root.contains("cameras") || root.contains("vehicle")) return FileKind::kRig;
+  return fail(document.file(),
+              "what is it? expected a use case (with \"links\"), a rig (\"cameras\"), a SoC (\"cores\") "
+              "or a scene (\"ground\")");
+}
+
+}  // namespace svchain::program

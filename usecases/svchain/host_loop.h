@@ -1,0 +1,48 @@
+#pragma once
+// The host's event loop while a chain runs: Ctrl-C and SIGTERM, a line of progress on a terminal, and a watch
+// over chains in which nothing moves any more.
+//
+// Lives longer than the chain it attends. attend() belongs to one thread; finish() any may call.
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <chrono>
+
+#include "framework/chain/chain.h"
+
+namespace svchain::program {
+
+class HostLoop {
+ public:
+  /// From here on signals are ours: the first ends the run in good order, the second at once (status 130).
+  HostLoop();
+
+  /// Returns after finish(), or when a watched chain stands still for good: then the chain has a failure.
+  /// `watched`: the chain runs on threads of its own, so that somebody has to notice when they all wait.
+  /// `lossless`: a source that stays silent is a fault, and not just a camera that takes its time.
+  void attend(Chain& chain, bool watched, bool lossless);
+  void finish();
+
+ private:
+  using Time = std::chrono::steady_clock::time_point;
+
+  void await_signal();
+  void tick();
+  void watch(Time now);
+  void show_progress(Time now);
+
+  boost::asio::io_context io_;
+  boost::asio::signal_set signals_;
+  boost::asio::steady_timer timer_;
+  Chain* chain_ = nullptr;
+  bool watched_ = false, lossless_ = false;
+  bool ending_ = false;
+  bool progress_ = false;
+
+  uint64_t calls_seen_ = 0;
+  Time moved_at_, started_at_;
+  bool excused_ = false;
+};
+
+}  // namespace svchain::program

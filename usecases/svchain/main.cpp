@@ -1,0 +1,195 @@
+// The command line: which command, and what it is given.
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <exception>
+#include <functional>
+#include <iostream>
+
+#include "usecases/svchain/commands.h"
+#include "usecases/svchain/exit_status.h"
+#include "usecases/svchain/say_faults.h"
+
+namespace svchain::program {
+
+namespace {
+
+/// Called once everything has been parsed.
+using Command = std::function<int()>;
+
+void add_run_options(CLI::App& app, RunOptions& run) {
+  UseCaseRequest& use_case = run.use_case;
+  app.add_option("--usecase", use_case.use_case, "what to run: a name (svchain list usecases) or a file")
+      ->type_name("NAME|FILE");
+  app.add_option("--input", use_case.input,
+                 "a folder with front, right, rear and left as stills, folders of numbered frames or videos; "
+                 "simulated:SCENE; or front=URL,right=URL,rear=URL,left=URL")
+      ->type_name("SOURCE");
+  app.add_option("--output", use_case.output,
+                 "a .png (last frame), .mp4, .mkv, a folder (numbered PNGs), window or none")
+      ->type_name("PATH");
+  app.add_option("--frames", run.frames,
+                 "frames of each camera to take; all there are, stills 30, a simulated scene 300")
+      ->type_name("N");
+  app.add_option("--fps", run.fps, "in real time at this rate: what is late is dropped at the capture")
+      ->type_name("F");
+  app.add_option("--rig", use_case.rig, "where the cameras are and what their lenses do")->type_name("FILE");
+  app.add_option("--soc", use_case.soc, "whose cores to run on: a name (svchain list socs) or a file")
+      ->type_name("NAME|FILE");
+  app.add_option("--set", use_case.sets, "a parameter of a link, or view.KEY=VALUE (may be repeated)")
+      ->type_name("LINK.PARAM=VALUE")
+      ->allow_extra_args(false);
+  app.add_option("--plugin", use_case.plugins, "a shared library with a link (may be repeated)")
+      ->type_name("FILE.so")
+      ->allow_extra_args(false);
+  app.add_option("--report", run.report, "what every link, core, edge and pool did, as JSON; - is stdout")
+      ->type_name("FILE");
+  app.add_option("--clock", run.clock, "steady, or virtual: modelled time, one thread, every run the same")
+      ->type_name("CLOCK");
+  app.add_option("--seed", run.seed, "with the virtual clock: picks the order in which the cores take turns")
+      ->type_name("N");
+}
+
+void add_list(CLI::App& app, Command& command) {
+  auto* list_app = app.add_subcommand("list", "what there is: usecases, links, socs, lenses");
+  const auto what = std::make_shared<std::string>();
+  list_app->add_option("WHAT", *what, "usecases, links, socs or lenses; everything if left out");
+  list_app->callback([what, &command] { command = [what] { return list(*what); }; });
+}
+
+void add_validate(CLI::App& app, Command& command) {
+  auto* validate_app = app.add_subcommand("validate", "checks use cases, rigs, SoCs and scenes");
+  const auto files = std::make_shared<std::vector<std::filesystem::path>>();
+  validate_app->add_option("FILE", *files, "files to check")->required();
+  validate_app->callback([files, &command] { command = [files] { return validate(*files); }; });
+}
+
+void add_graph(CLI::App& app, Command& command) {
+  auto* graph_app = app.add_subcommand("graph", "draws a use case as it runs, IPC pairs included");
+  const auto options = std::make_shared<GraphOptions>();
+  graph_app->add_option("USECASE", options->use_case.use_case, "a name or a file")
+      ->required()
+      ->type_name("NAME|FILE");
+  graph_app->add_option("--format", options->format, "dot, svg or json (dot)")->type_name("FORMAT");
+  graph_app->add_option("--soc", options->use_case.soc, "on another SoC than its own")
+      ->type_name("NAME|FILE");
+  graph_app->add_option("--set", options->use_case.sets, "as for a run")
+      ->type_name("LINK.PARAM=VALUE")
+      ->allow_extra_args(false);
+  graph_app->add_option("--plugin", options->use_case.plugins, "as for a run")
+      ->type_name("FILE.so")
+      ->allow_extra_args(false);
+  graph_app->callback([options, &command] { command = [options] { return graph(*options); }; });
+}
+
+void add_schema(CLI::App& app, Command& command) {
+  auto* schema_app = app.add_subcommand("schema", "the JSON Schema of a file format");
+  const auto kind = std::make_shared<std::string>();
+  schema_app->add_option("KIND", *kind, "usecase, rig, charts, soc, scene or report")->required();
+  schema_app->callback([kind, &command] { command = [kind] { return schema(*kind); }; });
+}
+
+void add_import(CLI::App& app, Command& command) {
+  auto* import_app = app.add_subcommand("import", "makes a rig file from other programs' calibrations");
+  const auto options = std::make_shared<ImportOptions>();
+  import_app->add_option("FORMAT", options->format, "diy or lens_table_homography")->required();
+  import_app->add_option("FILES", options->files, "each camera's file, told by its name; the lens table")
+      ->required();
+  import_app->add_option("--output", options->output, "the rig file to write")
+      ->required()
+      ->type_name("RIG.json");
+  const auto pixel = [&](const char* name, std::optional<std::vector<int>>& value, const char* help) {
+    import_app->add_option(name, value, help)->type_name("X Y")->expected(2)->delimiter(',');
+  };
+  pixel("--canvas-size-px", options->canvas_size_px, "diy: width and height of the composite (1200 1600)");
+  pixel("--car-min-px", options->car_min_px, "diy: the car's rectangle in it, upper left corner (500 550)");
+  pixel("--car-max-px", options->car_max_px, "diy: lower right corner (700 1050)");
+  import_app
+      ->add_option("--canvas-metres-per-px", options->canvas_metres_per_px,
+                   "diy: scale of the composite (0.01)")
+      ->type_name("M");
+  import_app->callback([options, &command] { command = [options] { return import_rig(*options); }; });
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+/// What nobody has taken: unknown commands and options.
+Faults unknown_words(const CLI::App& app) {
+  Faults faults;
+  const auto used = app.get_subcommands();
+  const CLI::App& taker = used.empty() ? app : *used.front();
+  const auto options = option_names(taker);
+  std::vector<std::string> commands;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    commands.push_back(command->get_name());
+  }
+  bool value_of_unknown = false;
+  for (const std::string& word : app.remaining(true)) {
+    if (word.starts_with("-") && word.size() > 1) {
+      const std::string name = word.substr(0, word.find('='));
+      faults.push_back({{},
+                        {},
+                        {},
+                        "unknown option \"" + name + "\"" + did_you_mean(name, options) +
+                            " (known: " + spoken_list(options) + ")"});
+      value_of_unknown = name == word;
+    } else if (!std::exchange(value_of_unknown, false)) {
+      faults.push_back({{},
+                        {},
+                        {},
+                        used.empty() ? "unknown command \"" + word + "\"" + did_you_mean(word, commands) +
+                                           " (known: " + spoken_list(commands) + ", or --usecase ... to run)"
+                                     : "unexpected \"" + word + "\""});
+    }
+  }
+  return faults;
+}
+
+int obey(int argc, char** argv) {
+  CLI::App app(
+      "Links and chains for four-camera surround view.\n"
+      "Without a command it runs a use case: svchain --usecase 2dsv_2dsp --output top_view.mp4",
+      "svchain");
+  app.allow_extras();
+  RunOptions run_options;
+  Command command = [&] { return run(run_options); };
+  add_run_options(app, run_options);
+  add_list(app, command);
+  add_validate(app, command);
+  add_graph(app, command);
+  add_schema(app, command);
+  add_import(app, command);
+  app.require_subcommand(0, 1);
+  for (CLI::App* sub : app.get_subcommands({})) sub->allow_extras();
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    if (const Faults unknown = unknown_words(app); !unknown.empty()) return say(unknown);
+    return say({{{}, {}, {}, error.what()}});
+  }
+  if (const Faults unknown = unknown_words(app); !unknown.empty()) return say(unknown);
+  return command();
+}
+
+}  // namespace
+
+}  // namespace svchain::program
+
+int main(int argc, char** argv) {
+  try {
+    return svchain::program::obey(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "svchain: error: " << error.what() << '\n';
+    return svchain::program::kFailed;
+  }
+}

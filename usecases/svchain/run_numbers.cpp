@@ -1,0 +1,46 @@
+#include "usecases/svchain/run_numbers.h"
+
+#include <charconv>
+
+#include "algorithms/json/value.h"
+
+namespace svchain::program {
+
+namespace {
+
+/// A number from a command line, all of the text and within the range; nothing, and a fault, otherwise.
+template <class Number>
+std::optional<Number> read(const std::string& option, const std::optional<std::string>& text,
+                           const char* kind, const json::Range& range, Faults& faults) {
+  if (!text) return std::nullopt;
+  Number value{};
+  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
+  const bool whole = error == std::errc{} && end == text->data() + text->size();
+  if (whole && range.contains(static_cast<double>(value))) return value;
+  faults.push_back(
+      {option, {}, {}, std::string("expected ") + kind + ", " + range.text() + ", got \"" + *text + "\""});
+  return std::nullopt;
+}
+
+}  // namespace
+
+RunNumbers read_numbers(const RunOptions& options, Faults& faults) {
+  RunNumbers numbers;
+  Pace& pace = numbers.pace;
+  pace.frames = read<uint64_t>("--frames", options.frames, "a whole number", {1, 1e12}, faults);
+  numbers.fps = read<double>("--fps", options.fps, "a number", {0.01, 1000, "frames/s"}, faults);
+  pace.real_time = numbers.fps.has_value();
+  pace.fps = numbers.fps.value_or(pace.fps);
+  numbers.order_seed = read<uint64_t>("--seed", options.seed, "a whole number", {0, 1.8e19}, faults);
+  pace.virtual_clock = options.clock == "virtual";
+  if (!pace.virtual_clock && options.clock != "steady") {
+    faults.push_back({"--clock",
+                      {},
+                      {},
+                      "expected steady or virtual, got \"" + options.clock + "\"" +
+                          did_you_mean(options.clock, {"steady", "virtual"})});
+  }
+  return numbers;
+}
+
+}  // namespace svchain::program

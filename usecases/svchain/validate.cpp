@@ -1,0 +1,48 @@
+#include <iostream>
+
+#include "algorithms/geometry/rig.h"
+#include "algorithms/scene/scene_file.h"
+#include "usecases/svchain/commands.h"
+#include "usecases/svchain/exit_status.h"
+#include "usecases/svchain/file_kind.h"
+#include "usecases/svchain/say_faults.h"
+
+namespace svchain::program {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Faults check(const fs::path& file, FileKind kind) {
+  switch (kind) {
+    case FileKind::kUseCase: {
+      UseCaseRequest request;
+      request.use_case = file.string();
+      const auto planned = plan_use_case(request);
+      return planned ? rig_faults(planned->plan.use_case) : planned.error();
+    }
+    case FileKind::kRig:
+      return faults_of(geometry::read_rig(file));
+    case FileKind::kSoc:
+      return faults_of(read_soc(file));
+    case FileKind::kScene:
+      return faults_of(scene::read_scene(file));
+  }
+  return {};
+}
+
+}  // namespace
+
+int validate(const std::vector<fs::path>& files) {
+  Faults all;
+  for (const fs::path& file : files) {
+    const auto document = json::Document::read(file);
+    const Result<FileKind> kind = document ? kind_of(*document) : tl::unexpected(document.error());
+    const Faults faults = kind ? check(file, *kind) : kind.error();
+    if (faults.empty()) std::cout << file.string() << ": ok (" << name_of(*kind) << ")\n";
+    append(all, faults);
+  }
+  return all.empty() ? kDone : say(all);
+}
+
+}  // namespace svchain::program
