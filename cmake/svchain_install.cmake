@@ -2,15 +2,14 @@
 # target svchain::framework; examples/edge_link shows how).
 include(CMakePackageConfigHelpers)
 
-if(TARGET svchain)
-  install(TARGETS svchain RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-endif()
+install(TARGETS svchain RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY usecases DESTINATION ${CMAKE_INSTALL_DATADIR}/svchain FILES_MATCHING
   PATTERN "*.json" PATTERN "svchain" EXCLUDE)
 install(DIRECTORY configs DESTINATION ${CMAKE_INSTALL_DATADIR}/svchain)
 
 install(TARGETS svchain_ipc svchain_json svchain_framework EXPORT svchain ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY ipc framework DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/svchain FILES_MATCHING PATTERN "*.h")
+install(DIRECTORY ipc framework DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/svchain FILES_MATCHING PATTERN "*.h"
+  REGEX "/usecase/(entries|graph.*|palette|place|plan_steps)\\.h$|/chain/(runtime|link_configuration)\\.h$" EXCLUDE)  # internal
 install(DIRECTORY algorithms/json DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/svchain/algorithms FILES_MATCHING PATTERN "*.h")
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/svchain)

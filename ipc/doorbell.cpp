@@ -29,8 +29,8 @@ void pause() {
 }  // namespace
 
 void Doorbell::ring() {
-  // Sequentially consistent on both sides (here: epoch, then parked; in wait: parked, then epoch): either the waiter
-  // sees the new epoch, or the ringer sees that it is parked.
+  // Sequentially consistent on both sides (here: epoch, then parked; in wait: parked, then epoch): either the
+  // waiter sees the new epoch, or the ringer sees that it is parked.
   epoch_.fetch_add(1, std::memory_order_seq_cst);
   if (parked_.load(std::memory_order_seq_cst) != 0) futex_wake(epoch_);
 }

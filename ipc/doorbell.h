@@ -1,9 +1,11 @@
 #pragma once
-// How a core learns that something has changed for it: a counter that whoever changes something raises, and that the
-// core waits on, first spinning, then parked on a futex. Lives in shared memory: works between threads and processes.
+// How a core learns that something has changed for it: a counter that whoever changes something raises, and
+// that the core waits on, first spinning, then parked on a futex. Lives in shared memory: works between
+// threads and processes.
 //
-// The waiter reads the epoch, looks at everything it might do, and only if there is nothing waits for the epoch to move:
-// a ring between the look and the wait is never lost. ring() costs a system call only when the waiter is parked.
+// The waiter reads the epoch, looks at everything it might do, and only if there is nothing waits for the
+// epoch to move: a ring between the look and the wait is never lost. ring() costs a system call only when the
+// waiter is parked.
 
 #include <atomic>
 #include <chrono>
@@ -19,8 +21,8 @@ class Doorbell {
 
   uint32_t epoch() const { return epoch_.load(std::memory_order_acquire); }
 
-  /// The one waiter: returns when the epoch is no longer `seen`, or the timeout is over. Spins `spins` times before it
-  /// parks; returns true if it had to park.
+  /// The one waiter: returns when the epoch is no longer `seen`, or the timeout is over. Spins `spins` times
+  /// before it parks; returns true if it had to park.
   bool wait(uint32_t seen, int spins, std::optional<std::chrono::nanoseconds> timeout);
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// What crosses from core to core: never pixels, never a pointer, only which buffers of which pools and what is known
-// of them. Fixed size, trivially copyable, the same in every process that maps the region.
+// What crosses from core to core: never pixels, never a pointer, only which buffers of which pools and what
+// is known of them. Fixed size, trivially copyable, the same in every process that maps the region.
 
 #include <array>
 #include <cstdint>

@@ -1,10 +1,11 @@
 #pragma once
-// A bounded ring of fixed-size messages between one producer and one consumer, in memory that both map (threads or
-// processes). Lock-free, wait-free but for pop() against a concurrent evict(). Never allocates.
+// A bounded ring of fixed-size messages between one producer and one consumer, in memory that both map
+// (threads or processes). Lock-free, wait-free but for pop() against a concurrent evict(). Never allocates.
 //
-// The producer alone moves head, which publishes a slot. The consumer moves tail; so does the producer when it evicts
-// the oldest message of a full ring, hence tail is moved by compare-exchange and a reader that lost the race throws its
-// copy away. Slots are read and written as relaxed atomic words, so that such a lost copy is no data race.
+// The producer alone moves head, which publishes a slot. The consumer moves tail; so does the producer when
+// it evicts the oldest message of a full ring, hence tail is moved by compare-exchange and a reader that lost
+// the race throws its copy away. Slots are read and written as relaxed atomic words, so that such a lost copy
+// is no data race.
 //
 // Ownership: a Ring is a view; the memory belongs to whoever made it and must outlive every view.
 
@@ -68,14 +69,16 @@ class Ring {
     while (tail != control_->head.load(std::memory_order_acquire)) {
       read(slots_[tail % control_->capacity], message);
       // release: the copy is finished before the slot is given back
-      if (control_->tail.compare_exchange_weak(tail, tail + 1, std::memory_order_acq_rel, std::memory_order_acquire)) {
+      if (control_->tail.compare_exchange_weak(tail, tail + 1, std::memory_order_acq_rel,
+                                               std::memory_order_acquire)) {
         return true;
       }
     }
     return false;
   }
 
-  /// Consumer: copies the oldest message and leaves it there. With a producer that evicts, it may be gone afterwards.
+  /// Consumer: copies the oldest message and leaves it there. With a producer that evicts, it may be gone
+  /// afterwards.
   bool peek(T& message) const {
     const uint64_t tail = control_->tail.load(std::memory_order_acquire);
     if (tail == control_->head.load(std::memory_order_acquire)) return false;

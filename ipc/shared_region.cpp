@@ -1,10 +1,9 @@
 #include "ipc/shared_region.h"
 
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <cerrno>
+#include <sys/mman.h>
 #include <system_error>
+#include <unistd.h>
 #include <utility>
 
 namespace svchain::ipc {
@@ -50,7 +49,9 @@ SharedRegion& SharedRegion::operator=(SharedRegion&& other) noexcept {
   return *this;
 }
 
-SharedRegion::~SharedRegion() { close(); }
+SharedRegion::~SharedRegion() {
+  close();
+}
 
 void SharedRegion::close() {
   if (data_) munmap(data_, size_);

@@ -1,6 +1,6 @@
 #pragma once
-// A piece of memory that several processes can map: an anonymous file, zeroed, page-aligned, never on disk. Owns the
-// mapping; move-only. Nothing inside may be a pointer.
+// A piece of memory that several processes can map: an anonymous file, zeroed, page-aligned, never on disk.
+// Owns the mapping; move-only. Nothing inside may be a pointer.
 
 #include <cstddef>
 #include <span>

@@ -27,12 +27,15 @@ ParameterDescription numbers(std::string name, nlohmann::json fallback, json::Ra
 }
 
 SettingDescription view_setting() {
-  ParameterDescription scale = number("metres_per_px", 0, {1e-5, 1}, "m",
-                                      "scale; left out: the vehicle's length takes 45 % of the view's height");
+  ParameterDescription scale =
+      number("metres_per_px", 0, {1e-5, 1}, "m",
+             "scale; left out: the vehicle's length takes 45 % of the view's height");
   scale.fallback = nullptr;
-  return {"view", "the composite seen from above, forward is up",
-          {numbers("size_px", {880, 1080}, {16, 8192}, "px", "width and height"), scale,
-           numbers("centre_m", {0, 0}, {-100, 100}, "m", "ground point in the middle, in the vehicle's frame")}};
+  return {
+      "view",
+      "the composite seen from above, forward is up",
+      {numbers("size_px", {880, 1080}, {16, 8192}, "px", "width and height"), scale,
+       numbers("centre_m", {0, 0}, {-100, 100}, "m", "ground point in the middle, in the vehicle's frame")}};
 }
 
 }  // namespace
@@ -52,10 +55,14 @@ void add_builtin_links(Catalogue& catalogue) {
   catalogue.add(make_synthesis);
 
   catalogue.add(view_setting());
-  catalogue.add({"rig", "rig file of the cameras; left out: the simulated scene's own", {path("value", "rig file")}});
-  catalogue.add({"input", "where frames come from",
-                 {text("value", "simulated:parking", "a folder, simulated:SCENE, or front=URL,right=URL,...")}});
-  catalogue.add({"output", "where the composite goes",
+  catalogue.add(
+      {"rig", "rig file of the cameras; left out: the simulated scene's own", {path("value", "rig file")}});
+  catalogue.add(
+      {"input",
+       "where frames come from",
+       {text("value", "simulated:parking", "a folder, simulated:SCENE, or front=URL,right=URL,...")}});
+  catalogue.add({"output",
+                 "where the composite goes",
                  {text("value", "none", ".png, .mp4, .mkv, a folder, window or none")}});
 }
 

@@ -16,6 +16,8 @@ fs::path share_folder() {
   return SVCHAIN_SOURCE_DIR;
 }
 
-fs::path configs_folder() { return share_folder() / "configs"; }
+fs::path configs_folder() {
+  return share_folder() / "configs";
+}
 
 }  // namespace svchain

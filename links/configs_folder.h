@@ -1,6 +1,6 @@
 #pragma once
-// Where the files that come with the program are: $SVCHAIN_SHARE, or ../share/svchain beside the program, or the folder
-// that it was built from. Any thread.
+// Where the files that come with the program are: $SVCHAIN_SHARE, or ../share/svchain beside the program, or
+// the folder that it was built from. Any thread.
 
 #include <filesystem>
 

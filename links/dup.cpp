@@ -41,6 +41,8 @@ class Dup final : public Link {
 
 }  // namespace
 
-std::unique_ptr<Link> make_dup() { return std::make_unique<Dup>(); }
+std::unique_ptr<Link> make_dup() {
+  return std::make_unique<Dup>();
+}
 
 }  // namespace svchain

@@ -1,6 +1,6 @@
 #pragma once
-// Frames that a link keeps for later calls, oldest first. Room is made once: pushing and popping allocate nothing.
-// Belongs to its link's core.
+// Frames that a link keeps for later calls, oldest first. Room is made once: pushing and popping allocate
+// nothing. Belongs to its link's core.
 
 #include <cassert>
 #include <utility>

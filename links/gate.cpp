@@ -44,6 +44,8 @@ class Gate final : public Link {
 
 }  // namespace
 
-std::unique_ptr<Link> make_gate() { return std::make_unique<Gate>(); }
+std::unique_ptr<Link> make_gate() {
+  return std::make_unique<Gate>();
+}
 
 }  // namespace svchain

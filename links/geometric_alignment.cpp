@@ -17,8 +17,12 @@ class GeometricAlignment final : public Link {
     LinkDescription d;
     d.type = "geometric_alignment";
     d.help = "makes the geometric and blending LUT of the rig, once, on the first frames";
-    d.inputs = {{.name = "frames", .types = {"bgr8"}, .count = 4, .help = "sets of four, front right rear left"}};
-    d.outputs = {{.name = "lut", .types = {"geometric_lut"}, .count = 1, .help = "where every output pixel comes from"}};
+    d.inputs = {
+        {.name = "frames", .types = {"bgr8"}, .count = 4, .help = "sets of four, front right rear left"}};
+    d.outputs = {{.name = "lut",
+                  .types = {"geometric_lut"},
+                  .count = 1,
+                  .help = "where every output pixel comes from"}};
     d.parameters = {
         choice("source", "rig", {"rig"}, "what the cameras' poses are taken from"),
         number("blend_deg", synthesis::BlendShape{}.width_deg, {0, 90}, "deg",
@@ -35,8 +39,13 @@ class GeometricAlignment final : public Link {
     shape_.width_deg = configuration.parameters().number("blend_deg");
     check_sizes(configuration);
     configuration.output(
-        kLut, {Format::table("geometric_lut", synthesis::geometric_lut_capacity(view_, rig_.cameras.size()))});
+        kLut,
+        {Format::table("geometric_lut", synthesis::geometric_lut_capacity(view_, rig_.cameras.size()))});
     made_ = false;
+  }
+
+  void check(Configuration& configuration) override {
+    if (const auto rig = rig_in_use(configuration); !rig) configuration.faults(rig.error());
   }
 
   void process(Call& call) override {
@@ -67,11 +76,15 @@ class GeometricAlignment final : public Link {
     const PortFormat& frames = configuration.input(kFrames);
     for (size_t c = 0; c < rig_.cameras.size() && c < frames.size(); ++c) {
       const auto& camera = rig_.cameras[c];
-      const auto text = [](int width, int height) { return std::to_string(width) + "x" + std::to_string(height); };
-      if (frames[c].width_px == camera.image_size_px.x() && frames[c].height_px == camera.image_size_px.y()) continue;
-      configuration.format_fault(kFrames, "size of " + camera.name,
-                                 text(camera.image_size_px.x(), camera.image_size_px.y()) + ", as the rig has it",
-                                 text(frames[c].width_px, frames[c].height_px));
+      const auto text = [](int width, int height) {
+        return std::to_string(width) + "x" + std::to_string(height);
+      };
+      if (frames[c].width_px == camera.image_size_px.x() && frames[c].height_px == camera.image_size_px.y())
+        continue;
+      configuration.format_fault(
+          kFrames, "size of " + camera.name,
+          text(camera.image_size_px.x(), camera.image_size_px.y()) + ", as the rig has it",
+          text(frames[c].width_px, frames[c].height_px));
     }
   }
 
@@ -84,6 +97,8 @@ class GeometricAlignment final : public Link {
 
 }  // namespace
 
-std::unique_ptr<Link> make_geometric_alignment() { return std::make_unique<GeometricAlignment>(); }
+std::unique_ptr<Link> make_geometric_alignment() {
+  return std::make_unique<GeometricAlignment>();
+}
 
 }  // namespace svchain

@@ -1,6 +1,6 @@
 #pragma once
-// Geometric alignment: on the first frames it makes the geometric and blending LUT of the rig, once, and hands it on;
-// later frames it only lets go. (The paper's "Geometric alignment" at power-up.)
+// Geometric alignment: on the first frames it makes the geometric and blending LUT of the rig, once, and
+// hands it on; later frames it only lets go. (The paper's "Geometric alignment" at power-up.)
 
 #include <memory>
 

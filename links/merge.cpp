@@ -40,8 +40,8 @@ class Merge final : public Link {
     }
     if (set.empty()) configuration.fault("none of in0, in1, in2 and in3 is connected, expected at least one");
     if (set.size() > ipc::kMaxBuffers) {
-      configuration.fault("the inputs carry " + std::to_string(set.size()) + " buffers together, a set has at most " +
-                          std::to_string(ipc::kMaxBuffers));
+      configuration.fault("the inputs carry " + std::to_string(set.size()) +
+                          " buffers together, a set has at most " + std::to_string(ipc::kMaxBuffers));
     }
     configuration.output(0, set);
   }
@@ -111,6 +111,8 @@ class Merge final : public Link {
 
 }  // namespace
 
-std::unique_ptr<Link> make_merge() { return std::make_unique<Merge>(); }
+std::unique_ptr<Link> make_merge() {
+  return std::make_unique<Merge>();
+}
 
 }  // namespace svchain

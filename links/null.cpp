@@ -21,6 +21,8 @@ class Null final : public Link {
 
 }  // namespace
 
-std::unique_ptr<Link> make_null() { return std::make_unique<Null>(); }
+std::unique_ptr<Link> make_null() {
+  return std::make_unique<Null>();
+}
 
 }  // namespace svchain

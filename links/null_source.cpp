@@ -43,7 +43,8 @@ class NullSource final : public Link {
     const Pace& pace = configuration.pace();
     const auto format = Format::bgr8(static_cast<int>(parameters.integer("width")),
                                      static_cast<int>(parameters.integer("height")));
-    pacing_ = Pacing(pace, pace.frames.value_or(static_cast<uint64_t>(parameters.integer("count"))), pace.real_time);
+    pacing_ = Pacing(pace, pace.frames.value_or(static_cast<uint64_t>(parameters.integer("count"))),
+                     pace.real_time);
     if (pace.real_time) configuration.calls_without_room();
     buffers_ = static_cast<int>(parameters.integer("buffers"));
     configuration.output(0, PortFormat(static_cast<size_t>(buffers_), format));
@@ -58,7 +59,8 @@ class NullSource final : public Link {
     Frame frame = pictures_.share();
     frame.set_sequence(*set);
     frame.set_captured_ns(call.now_ns());
-    for (int buffer = 0; buffer < frame.count(); ++buffer) frame.set_timestamp_ns(buffer, pacing_.due_ns(*set));
+    for (int buffer = 0; buffer < frame.count(); ++buffer)
+      frame.set_timestamp_ns(buffer, pacing_.due_ns(*set));
     call.send(0, std::move(frame));
   }
 
@@ -78,6 +80,8 @@ class NullSource final : public Link {
 
 }  // namespace
 
-std::unique_ptr<Link> make_null_source() { return std::make_unique<NullSource>(); }
+std::unique_ptr<Link> make_null_source() {
+  return std::make_unique<NullSource>();
+}
 
 }  // namespace svchain

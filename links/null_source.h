@@ -1,6 +1,6 @@
 #pragma once
-// Link "null_source": synthetic frames (bgr8) for chains without cameras, written once and sent again and again, at the
-// pace of a capture.
+// Link "null_source": synthetic frames (bgr8) for chains without cameras, written once and sent again and
+// again, at the pace of a capture.
 
 #include <memory>
 

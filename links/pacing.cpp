@@ -8,7 +8,9 @@ namespace svchain {
 Pacing::Pacing(const Pace& pace, std::optional<uint64_t> sets, bool real_time)
     : fps_(pace.fps), sets_(sets), real_time_(real_time), timed_(real_time || pace.virtual_clock) {}
 
-int64_t Pacing::due_ns(uint64_t set) const { return std::llround(static_cast<double>(set) * 1e9 / fps_); }
+int64_t Pacing::due_ns(uint64_t set) const {
+  return std::llround(static_cast<double>(set) * 1e9 / fps_);
+}
 
 std::optional<uint64_t> Pacing::due(Call& call, std::span<const int> outputs) {
   if (sets_ && next_ >= *sets_) {
@@ -29,7 +31,8 @@ std::optional<uint64_t> Pacing::due(Call& call, std::span<const int> outputs) {
     }
   }
   advance(call, set);
-  const bool room = std::all_of(outputs.begin(), outputs.end(), [&](int port) { return call.room(port) > 0; });
+  const bool room =
+      std::all_of(outputs.begin(), outputs.end(), [&](int port) { return call.room(port) > 0; });
   if (real_time_ && !room) {
     call.captured();
     call.drop("downstream_full");

@@ -1,7 +1,7 @@
 #pragma once
-// When a source hands out which set. Lossless runs take every set, as soon as there is room; in real time set n is due
-// n / fps after the start, and what is not handed out then is counted and gone. Belongs to its link's core; allocates
-// nothing.
+// When a source hands out which set. Lossless runs take every set, as soon as there is room; in real time set
+// n is due n / fps after the start, and what is not handed out then is counted and gone. Belongs to its
+// link's core; allocates nothing.
 
 #include <cstdint>
 #include <optional>
@@ -19,8 +19,9 @@ class Pacing {
   /// Configuration::calls_without_room().
   Pacing(const Pace& pace, std::optional<uint64_t> sets, bool real_time);
 
-  /// The set to hand out in this call, for the link to count as captured; nothing where none is due, or where it had to
-  /// be dropped because one of the outputs has no room. Also says when to be called again, and ends the stream.
+  /// The set to hand out in this call, for the link to count as captured; nothing where none is due, or where
+  /// it had to be dropped because one of the outputs has no room. Also says when to be called again, and ends
+  /// the stream.
   std::optional<uint64_t> due(Call& call, std::span<const int> outputs);
 
   /// When set n is due after the start; its nominal time stamp.

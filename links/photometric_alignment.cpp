@@ -20,8 +20,10 @@ class PhotometricAlignmentLink final : public Link {
     LinkDescription d;
     d.type = "photometric_alignment";
     d.help = "matches the cameras' brightness and colour: gains for all four jointly, from their overlaps";
-    d.inputs = {{.name = "statistics", .types = {"overlap_statistics"}, .count = 1, .help = "of the last composite"}};
-    d.outputs = {{.name = "tone_mapping", .types = {"tone_mapping"}, .count = 1, .help = "for the next composite"}};
+    d.inputs = {
+        {.name = "statistics", .types = {"overlap_statistics"}, .count = 1, .help = "of the last composite"}};
+    d.outputs = {
+        {.name = "tone_mapping", .types = {"tone_mapping"}, .count = 1, .help = "for the next composite"}};
     d.parameters = {number("smoothing", 0.2, {0.001, 1}, "",
                            "share of the way to a new estimate that is gone with every frame; 1: at once")};
     return d;
@@ -46,6 +48,8 @@ class PhotometricAlignmentLink final : public Link {
 
 }  // namespace
 
-std::unique_ptr<Link> make_photometric_alignment() { return std::make_unique<PhotometricAlignmentLink>(); }
+std::unique_ptr<Link> make_photometric_alignment() {
+  return std::make_unique<PhotometricAlignmentLink>();
+}
 
 }  // namespace svchain

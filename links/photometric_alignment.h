@@ -1,6 +1,6 @@
 #pragma once
-// Photometric alignment: from the overlaps of frame n, the tone mapping of frame n + 1. (The paper's "Photometric
-// alignment".)
+// Photometric alignment: from the overlaps of frame n, the tone mapping of frame n + 1. (The paper's
+// "Photometric alignment".)
 
 #include <memory>
 

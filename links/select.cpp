@@ -32,7 +32,8 @@ class Select final : public Link {
     const PortFormat& set = configuration.input(0);
     const std::vector<double> wanted = configuration.parameters().numbers("buffers");
     if (wanted.empty() || wanted.size() > ipc::kMaxBuffers) {
-      configuration.parameter_fault("buffers", "names " + std::to_string(wanted.size()) + " buffers, expected 1 to " +
+      configuration.parameter_fault("buffers", "names " + std::to_string(wanted.size()) +
+                                                   " buffers, expected 1 to " +
                                                    std::to_string(ipc::kMaxBuffers));
       return;
     }
@@ -40,7 +41,8 @@ class Select final : public Link {
     PortFormat chosen;
     for (const double buffer : wanted) {
       if (buffer != std::floor(buffer) || buffer < 0 || buffer >= static_cast<double>(set.size())) {
-        configuration.parameter_fault("buffers", nlohmann::json(buffer).dump() + " is no buffer of the set, expected 0 to " +
+        configuration.parameter_fault("buffers", nlohmann::json(buffer).dump() +
+                                                     " is no buffer of the set, expected 0 to " +
                                                      std::to_string(set.size() - 1));
         return;
       }
@@ -69,6 +71,8 @@ class Select final : public Link {
 
 }  // namespace
 
-std::unique_ptr<Link> make_select() { return std::make_unique<Select>(); }
+std::unique_ptr<Link> make_select() {
+  return std::make_unique<Select>();
+}
 
 }  // namespace svchain

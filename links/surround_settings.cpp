@@ -6,12 +6,13 @@
 namespace svchain {
 
 Result<geometry::Rig> rig_in_use(const Configuration& configuration) {
-  const Parameters& rig = configuration.setting("rig");
-  if (rig.given("value")) return geometry::read_rig(rig.text("value"));
+  const std::string rig = configuration.setting("rig").text("value");
+  if (!rig.empty()) return geometry::read_rig(rig);
   const std::string input = configuration.setting("input").text("value");
   constexpr std::string_view kSimulated = "simulated:";
   if (!input.starts_with(kSimulated)) {
-    return fail("--rig", "missing: frames from \"" + input + "\" need a rig file that says how the cameras look");
+    return fail("--rig",
+                "missing: frames from \"" + input + "\" need a rig file that says how the cameras look");
   }
   const auto file = find_scene(input.substr(kSimulated.size()));
   if (!file) return tl::unexpected(file.error());
@@ -29,8 +30,9 @@ geometry::View view_in_use(const Configuration& configuration, const geometry::V
   const Parameters& setting = configuration.setting("view");
   geometry::View view;
   view.size_px = view_size_px(configuration);
-  view.metres_per_px = setting.given("metres_per_px") ? setting.number("metres_per_px")
-                                                      : geometry::default_metres_per_px(vehicle, view.size_px);
+  view.metres_per_px = setting.given("metres_per_px")
+                           ? setting.number("metres_per_px")
+                           : geometry::default_metres_per_px(vehicle, view.size_px);
   const auto centre = setting.numbers("centre_m");
   view.centre_m = {centre[0], centre[1]};
   return view;

@@ -1,6 +1,6 @@
 #pragma once
-// The settings that the links of a surround view share, resolved: which rig, and which view of the ground. Called while
-// configuring.
+// The settings that the links of a surround view share, resolved: which rig, and which view of the ground.
+// Called while configuring.
 
 #include "algorithms/geometry/view.h"
 #include "framework/link/link.h"

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstring>
+#include <optional>
 
 #include "algorithms/synthesis/synthesize.h"
 #include "framework/link/call.h"
@@ -22,13 +23,24 @@ class Synthesis final : public Link {
     LinkDescription d;
     d.type = "synthesis";
     d.help = "makes the composite from a set of four through the LUTs, and block means of the overlaps";
-    d.inputs = {
-        {.name = "frames", .types = {"bgr8"}, .count = kCameraCount, .help = "sets of four, front right rear left"},
-        {.name = "lut", .types = {"geometric_lut"}, .count = 1, .intake = Intake::kState, .help = "in force until the next"},
-        {.name = "tone_mapping", .types = {"tone_mapping"}, .count = 1, .optional = true,
-         .help = "applied to the next frame; the identity before the first"}};
+    d.inputs = {{.name = "frames",
+                 .types = {"bgr8"},
+                 .count = kCameraCount,
+                 .help = "sets of four, front right rear left"},
+                {.name = "lut",
+                 .types = {"geometric_lut"},
+                 .count = 1,
+                 .intake = Intake::kState,
+                 .help = "in force until the next"},
+                {.name = "tone_mapping",
+                 .types = {"tone_mapping"},
+                 .count = 1,
+                 .optional = true,
+                 .help = "applied to the next frame; the identity before the first"}};
     d.outputs = {{.name = "view", .types = {"bgr8"}, .count = 1, .help = "the composite"},
-                 {.name = "statistics", .types = {"overlap_statistics"}, .count = 1,
+                 {.name = "statistics",
+                  .types = {"overlap_statistics"},
+                  .count = 1,
                   .help = "block means of both cameras in every overlap, before tone mapping"}};
     return d;
   }
@@ -37,9 +49,11 @@ class Synthesis final : public Link {
     geometry::View view;
     view.size_px = view_size_px(configuration);
     configuration.output(kView, {Format::bgr8(view.size_px.x(), view.size_px.y())});
-    configuration.output(kStatistics,
-                         {Format::table("overlap_statistics", synthesis::OverlapStatistics::bytes_for(view))});
+    configuration.output(
+        kStatistics, {Format::table("overlap_statistics", synthesis::OverlapStatistics::bytes_for(view))});
     tone_mapping_ = synthesis::ToneMapping::identity();
+    lut_.reset();
+    lut_at_ = nullptr;
   }
 
   void process(Call& call) override {
@@ -47,11 +61,12 @@ class Synthesis final : public Link {
       std::memcpy(&tone_mapping_, curves.bytes().data(), sizeof(tone_mapping_));
     }
     std::array<cv::Mat, kCameraCount> frames;
-    for (size_t c = 0; c < kCameraCount; ++c) frames[c] = bgr_picture(call.input(kFrames), static_cast<int>(c));
+    for (size_t c = 0; c < kCameraCount; ++c)
+      frames[c] = bgr_picture(call.input(kFrames), static_cast<int>(c));
     Draft view = call.create(kView);
     Draft statistics = call.create(kStatistics);
     cv::Mat composite = bgr_picture(view);
-    synthesis::synthesize(synthesis::GeometricLut(call.input(kLut).bytes()), frames, tone_mapping_, composite,
+    synthesis::synthesize(lut_of(call.input(kLut)), frames, tone_mapping_, composite,
                           synthesis::OverlapStatistics::create(statistics.bytes()));
     call.send(kView, std::move(view));
     call.send(kStatistics, std::move(statistics));
@@ -60,16 +75,29 @@ class Synthesis final : public Link {
   void report(nlohmann::json& report) const override {
     for (size_t c = 0; c < kCameraCount; ++c) {
       auto& camera = report["photometric"]["tone_mapping"][geometry::kCameraNames[c]];
-      camera = {{"b", tone_mapping_.curves[c][0]}, {"g", tone_mapping_.curves[c][1]}, {"r", tone_mapping_.curves[c][2]}};
+      camera = {{"b", tone_mapping_.curves[c][0]},
+                {"g", tone_mapping_.curves[c][1]},
+                {"r", tone_mapping_.curves[c][2]}};
     }
   }
 
  private:
+  /// A LUT is checked when it is new. The one in force is held, so a new one lies elsewhere.
+  const synthesis::GeometricLut& lut_of(const Frame& frame) {
+    if (lut_at_ != frame.bytes().data()) lut_.emplace(frame.bytes());
+    lut_at_ = frame.bytes().data();
+    return *lut_;
+  }
+
+  std::optional<synthesis::GeometricLut> lut_;
+  const std::byte* lut_at_ = nullptr;
   synthesis::ToneMapping tone_mapping_;  // what the last frame was made with
 };
 
 }  // namespace
 
-std::unique_ptr<Link> make_synthesis() { return std::make_unique<Synthesis>(); }
+std::unique_ptr<Link> make_synthesis() {
+  return std::make_unique<Synthesis>();
+}
 
 }  // namespace svchain

@@ -1,6 +1,6 @@
 #pragma once
-// Synthesis: the composite of a set of four, in one pass through the LUTs, and the statistics of its overlaps. (The
-// paper's "Surround view synthesis".)
+// Synthesis: the composite of a set of four, in one pass through the LUTs, and the statistics of its
+// overlaps. (The paper's "Surround view synthesis".)
 
 #include <memory>
 

@@ -1,16 +1,17 @@
 #include "tests/test_data.h"
 
-#include <unistd.h>
-
 #include <atomic>
 #include <cstdlib>
 #include <string>
+#include <unistd.h>
 
 namespace svchain::testing {
 
 namespace fs = std::filesystem;
 
-fs::path project_folder() { return fs::path(SVCHAIN_SOURCE_DIR); }
+fs::path project_folder() {
+  return fs::path(SVCHAIN_SOURCE_DIR);
+}
 
 std::optional<fs::path> data_folder() {
   const char* named = std::getenv("SVCHAIN_TEST_DATA");
@@ -21,7 +22,8 @@ std::optional<fs::path> data_folder() {
 
 TemporaryFolder::TemporaryFolder() {
   static std::atomic<int> count{0};
-  path_ = fs::temp_directory_path() / ("svchain-test-" + std::to_string(getpid()) + "-" + std::to_string(count++));
+  path_ = fs::temp_directory_path() /
+          ("svchain-test-" + std::to_string(getpid()) + "-" + std::to_string(count++));
   fs::create_directories(path_);
 }
 

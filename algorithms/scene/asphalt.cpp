@@ -14,11 +14,13 @@ constexpr int kLevels = 10;
 
 /// Mean 0, variance 1, near enough to a Gaussian: the sum of the four 16-bit parts of a word.
 float gaussian(uint64_t word) {
-  const double sum = static_cast<double>((word & 0xffff) + (word >> 16 & 0xffff) + (word >> 32 & 0xffff) + (word >> 48));
+  const double sum =
+      static_cast<double>((word & 0xffff) + (word >> 16 & 0xffff) + (word >> 32 & 0xffff) + (word >> 48));
   return static_cast<float>((sum / 65535 - 2) * std::sqrt(3.0));
 }
 
-/// Running mean of 2 r + 1 neighbours along rows, the tile being a ring; transposed, so that twice is both ways.
+/// Running mean of 2 r + 1 neighbours along rows, the tile being a ring; transposed, so that twice is both
+/// ways.
 std::vector<float> smoothed_and_turned(const std::vector<float>& tile, int r) {
   std::vector<float> out(tile.size());
   for (int y = 0; y < kTile; ++y) {
@@ -138,7 +140,9 @@ Texture Asphalt::lay(int level, int texels_a_side) const {
     uint32_t* out = texture.row(y);
     for (int x = 0; x < texels_a_side; ++x) {
       const float s = shade[static_cast<size_t>(x)];
-      const auto channel = [s](float c) { return static_cast<uint32_t>(std::min(static_cast<int>(s * c + 0.5f), 255)); };
+      const auto channel = [s](float c) {
+        return static_cast<uint32_t>(std::min(static_cast<int>(s * c + 0.5f), 255));
+      };
       out[x] = channel(b) | channel(g) << 8 | channel(r) << 16;
     }
   }

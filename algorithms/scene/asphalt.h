@@ -12,7 +12,8 @@ class Asphalt {
  public:
   Asphalt(const Ground& ground, double finest_metres_per_texel, uint64_t seed);
 
-  /// A square texture about the world's origin, `level` halvings coarser than the finest: what paint.h paints on.
+  /// A square texture about the world's origin, `level` halvings coarser than the finest: what paint.h paints
+  /// on.
   Texture lay(int level, int texels_a_side) const;
 
  private:

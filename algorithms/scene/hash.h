@@ -1,5 +1,6 @@
 #pragma once
-// Random numbers that depend on nothing but their arguments, so that every frame can be made anew, in any order.
+// Random numbers that depend on nothing but their arguments, so that every frame can be made anew, in any
+// order.
 
 #include <cstdint>
 
@@ -19,6 +20,8 @@ constexpr uint64_t hash(uint64_t a, More... more) {
 }
 
 /// 0 (inclusive) to 1 (exclusive).
-constexpr double unit(uint64_t word) { return static_cast<double>(word >> 11) * 0x1.0p-53; }
+constexpr double unit(uint64_t word) {
+  return static_cast<double>(word >> 11) * 0x1.0p-53;
+}
 
 }  // namespace svchain::scene

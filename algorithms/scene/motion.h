@@ -14,7 +14,8 @@ Pose2 world_from_vehicle(const Path& path, double time_s);
 double largest_travel_m(const Path& path);
 double largest_yaw_rad(const Path& path);
 
-/// The time stamp of a camera's frame: frame / rate, late or early by the scene's jitter, the same in every run. Not below 0.
+/// The time stamp of a camera's frame: frame / rate, late or early by the scene's jitter, the same in every
+/// run. Not below 0.
 int64_t capture_time_ns(const Scene& scene, size_t camera, uint64_t frame);
 
 }  // namespace svchain::scene

@@ -27,7 +27,8 @@ std::vector<Edge> edges_of(const std::vector<Eigen::Vector2d>& corners) {
 /// (Sutherland & Hodgman 1974).
 double covered_area(const std::vector<Edge>& edges, double x, double y) {
   constexpr size_t kMost = 64;
-  Eigen::Vector2d corners[2][kMost] = {{{x - 0.5, y - 0.5}, {x + 0.5, y - 0.5}, {x + 0.5, y + 0.5}, {x - 0.5, y + 0.5}}};
+  Eigen::Vector2d corners[2][kMost] = {
+      {{x - 0.5, y - 0.5}, {x + 0.5, y - 0.5}, {x + 0.5, y + 0.5}, {x - 0.5, y + 0.5}}};
   size_t count = 4;
   int now = 0;
   for (const Edge& edge : edges) {
@@ -84,9 +85,12 @@ void paint(Texture& ground, double metres_per_texel, double half_extent_m, const
     double last = high.x() + 1;
     for (const Edge& edge : edges) {
       const double rest = -(edge.ny * y + edge.offset + 0.71);
-      if (edge.nx > 1e-9) first = std::max(first, rest / edge.nx);
-      else if (edge.nx < -1e-9) last = std::min(last, rest / edge.nx);
-      else if (rest > 0) last = -1;
+      if (edge.nx > 1e-9)
+        first = std::max(first, rest / edge.nx);
+      else if (edge.nx < -1e-9)
+        last = std::min(last, rest / edge.nx);
+      else if (rest > 0)
+        last = -1;
     }
     if (last < 0 || first > ground.width - 1) continue;
     uint32_t* row = ground.row(y);

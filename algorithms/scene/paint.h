@@ -1,6 +1,6 @@
 #pragma once
-// Paints convex patches onto the ground's texture with the exact area that a patch covers of each texel, so that an edge
-// lies where it should to a fraction of a texel.
+// Paints convex patches onto the ground's texture with the exact area that a patch covers of each texel, so
+// that an edge lies where it should to a fraction of a texel.
 
 #include "algorithms/scene/scene.h"
 #include "algorithms/scene/texture.h"

@@ -13,11 +13,17 @@ using json::Value;
 const json::Range kPlace{-1e3, 1e3};
 const json::Range kLength{1e-4, 1e3};
 
-double length(const Value& item, const char* key) { return item.required(key).number(kLength, 1); }
+double length(const Value& item, const char* key) {
+  return item.required(key).number(kLength, 1);
+}
 
-Pose2 pose(const Value& item) { return read_pose(item.required("pose")); }
+Pose2 pose(const Value& item) {
+  return read_pose(item.required("pose"));
+}
 
-int count(const Value& item, const char* key) { return static_cast<int>(item.required(key).integer({1, 200}, 1)); }
+int count(const Value& item, const char* key) {
+  return static_cast<int>(item.required(key).integer({1, 200}, 1));
+}
 
 Outlines read_line(const Value& item) {
   Outline points;
@@ -40,16 +46,27 @@ struct Kind {
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> kKinds = {
       {"line", {"points_m", "width_m"}, read_line},
-      {"rectangle", {"pose", "length_m", "width_m"},
-       [](const Value& v) { return Outlines{rectangle(pose(v), length(v, "length_m"), length(v, "width_m"))}; }},
-      {"disc", {"pose", "radius_m"}, [](const Value& v) { return Outlines{disc(pose(v), length(v, "radius_m"))}; }},
-      {"arrow", {"pose", "length_m", "width_m"},
-       [](const Value& v) { return arrow(pose(v), length(v, "length_m"), length(v, "width_m")); }},
-      {"zebra", {"pose", "length_m", "width_m", "bars"},
-       [](const Value& v) { return zebra(pose(v), length(v, "length_m"), length(v, "width_m"), count(v, "bars")); }},
-      {"bays", {"pose", "count", "length_m", "depth_m", "line_m"},
+      {"rectangle",
+       {"pose", "length_m", "width_m"},
        [](const Value& v) {
-         return bays(pose(v), count(v, "count"), length(v, "length_m"), length(v, "depth_m"), length(v, "line_m"));
+         return Outlines{rectangle(pose(v), length(v, "length_m"), length(v, "width_m"))};
+       }},
+      {"disc",
+       {"pose", "radius_m"},
+       [](const Value& v) { return Outlines{disc(pose(v), length(v, "radius_m"))}; }},
+      {"arrow",
+       {"pose", "length_m", "width_m"},
+       [](const Value& v) { return arrow(pose(v), length(v, "length_m"), length(v, "width_m")); }},
+      {"zebra",
+       {"pose", "length_m", "width_m", "bars"},
+       [](const Value& v) {
+         return zebra(pose(v), length(v, "length_m"), length(v, "width_m"), count(v, "bars"));
+       }},
+      {"bays",
+       {"pose", "count", "length_m", "depth_m", "line_m"},
+       [](const Value& v) {
+         return bays(pose(v), count(v, "count"), length(v, "length_m"), length(v, "depth_m"),
+                     length(v, "line_m"));
        }},
   };
   return kKinds;

@@ -53,7 +53,8 @@ Colour sky_at(const Sky& sky, double elevation_deg) {
 Panorama make_panorama(const Sky& sky, Colour ground, double margin_rad, uint64_t seed) {
   const double margin_deg = margin_rad / kDegree + 2;
   Panorama panorama;
-  panorama.texture = Texture(static_cast<int>((360 + 2 * margin_deg) / kTexelDeg), static_cast<int>((91 - kLowestDeg) / kTexelDeg));
+  panorama.texture = Texture(static_cast<int>((360 + 2 * margin_deg) / kTexelDeg),
+                             static_cast<int>((91 - kLowestDeg) / kTexelDeg));
   panorama.radians_per_texel = kTexelDeg * kDegree;
   panorama.first_column = (180 + margin_deg) / kTexelDeg;
   panorama.horizon_row = 90.5 / kTexelDeg;

@@ -1,6 +1,6 @@
 #pragma once
-// A place and heading on the ground: `world_from_vehicle` takes points of the vehicle's ground plane to the world's.
-// Metres, radians counter-clockwise seen from above. Plain value.
+// A place and heading on the ground: `world_from_vehicle` takes points of the vehicle's ground plane to the
+// world's. Metres, radians counter-clockwise seen from above. Plain value.
 
 #include <Eigen/Core>
 #include <cmath>

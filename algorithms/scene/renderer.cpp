@@ -36,18 +36,21 @@ Mapping to_panorama(const Panorama& panorama, const Pose2& pose) {
   return {&panorama.texture, 1, 0, static_cast<float>(turned), 0, 0, 0};
 }
 
-/// Two texels side by side, or what has become of them: B, G, R, nothing, twice. Of gcc and clang, for any processor.
+/// Two texels side by side, or what has become of them: B, G, R, nothing, twice. Of gcc and clang, for any
+/// processor.
 using Bytes = uint8_t __attribute__((vector_size(8)));
 using Words = uint16_t __attribute__((vector_size(16)));
 using Quads = uint32_t __attribute__((vector_size(16)));
 using Halves = uint64_t __attribute__((vector_size(16)));
 
-/// Where a bilinear sample lies: its first texel, and the weights of the upper left, upper right, lower left and lower
-/// right texels in 256ths, each doubled into both halves of its word.
+/// Where bilinear samples lie: their first texels, and the weights (256ths, doubled into both halves of a
+/// word) of the texels there, to the right, below, and below to the right.
 struct Samples {
   int first[kMost];
-  alignas(16) uint32_t weights[kMost][4];
+  uint32_t w00[kMost], w01[kMost], w10[kMost], w11[kMost];
 };
+
+constexpr uint32_t kDoubled = 0x00010001;
 
 /// Everything in floats, which hold whole numbers up to 2^24 exactly: any processor has vectors of them.
 void locate(const float* u, const float* v, int count, float width, Samples& samples) {
@@ -58,8 +61,10 @@ void locate(const float* u, const float* v, int count, float width, Samples& sam
     const int fx = static_cast<int>((u[i] - column) * 256);
     const int fy = static_cast<int>((v[i] - row) * 256);
     const int w11 = static_cast<int>(static_cast<float>(fx) * static_cast<float>(fy) * (1 / 256.0f));
-    const int w[4] = {256 - fx - fy + w11, fx - w11, fy - w11, w11};
-    for (int k = 0; k < 4; ++k) samples.weights[i][k] = static_cast<uint32_t>(w[k] | w[k] << 16);
+    samples.w00[i] = static_cast<uint32_t>(256 - fx - fy + w11) * kDoubled;
+    samples.w01[i] = static_cast<uint32_t>(fx - w11) * kDoubled;
+    samples.w10[i] = static_cast<uint32_t>(fy - w11) * kDoubled;
+    samples.w11[i] = static_cast<uint32_t>(w11) * kDoubled;
   }
 }
 
@@ -69,29 +74,32 @@ Words two_texels(const uint32_t* at) {
   return __builtin_convertvector(bytes, Words);
 }
 
+Words spread(uint32_t left, uint32_t right) {
+  return reinterpret_cast<Words>(Quads{left, left, right, right});
+}
+
 /// Adds a 2^-shift part of each sample, as 8.8 fixed point, to `light`: four words a pixel.
 void add_samples(const Texture& texture, const Samples& samples, int count, int shift, uint64_t* light) {
   const uint32_t* texels = texture.texels.data();
   const auto width = static_cast<ptrdiff_t>(texture.width);
-  const uint64_t keep = (0xffffu >> shift) * 0x0001000100010001;
+  const uint64_t keep = (0xffffu >> shift) * uint64_t{0x0001000100010001};
   for (int i = 0; i < count; ++i) {
     __builtin_prefetch(texels + samples.first[i]);
     __builtin_prefetch(texels + samples.first[i] + width);
   }
   for (int i = 0; i < count; ++i) {
     const uint32_t* at = texels + samples.first[i];
-    Quads w;
-    std::memcpy(&w, samples.weights[i], sizeof w);
-    const Words upper = two_texels(at) * reinterpret_cast<Words>(__builtin_shufflevector(w, w, 0, 0, 1, 1));
-    const Words lower = two_texels(at + width) * reinterpret_cast<Words>(__builtin_shufflevector(w, w, 2, 2, 3, 3));
+    const Words upper = two_texels(at) * spread(samples.w00[i], samples.w01[i]);
+    const Words lower = two_texels(at + width) * spread(samples.w10[i], samples.w11[i]);
     const Halves sum = reinterpret_cast<Halves>(upper + lower);
     light[i] += (sum[0] + sum[1]) >> shift & keep;
   }
 }
 
-/// The light that `count` pixels from `pixel` on receive, as Sensor takes it. Every sample is within the texture by
-/// construction: a span's level reaches wherever the vehicle may go.
-void gather(const SightLines& lines, const Span& span, const Mapping& m, size_t pixel, int count, uint64_t* light) {
+/// The light that `count` pixels from `pixel` on receive, as Sensor takes it. Every sample is within the
+/// texture by construction: a span's level reaches wherever the vehicle may go.
+void gather(const SightLines& lines, const Span& span, const Mapping& m, size_t pixel, int count,
+            uint64_t* light) {
   float centre_u[kMost], centre_v[kMost], u[kMost], v[kMost];
   Samples samples;
   const float* x = &lines.x[pixel];
@@ -132,14 +140,16 @@ void Renderer::render(size_t camera, double time_s, uint64_t frame, cv::Mat& bgr
 
   const Pose2 pose = world_from_vehicle(world_->scene().path, time_s);
   std::array<Mapping, 256> mappings;  // by a span's target
-  for (size_t i = 0; i < world_->ground().size(); ++i) mappings[i] = to_ground(world_->ground()[i], pose, lines);
+  for (size_t i = 0; i < world_->ground().size(); ++i)
+    mappings[i] = to_ground(world_->ground()[i], pose, lines);
   mappings[Span::kPanorama] = to_panorama(world_->panorama(), pose);
 
   uint64_t light[kMost];
   for (int row = 0; row < lines.height; ++row) {
     uint8_t* out = bgr.ptr<uint8_t>(row);
     const size_t row_start = static_cast<size_t>(row) * static_cast<size_t>(lines.width);
-    for (size_t s = lines.first_span[static_cast<size_t>(row)]; s < lines.first_span[static_cast<size_t>(row) + 1]; ++s) {
+    for (size_t s = lines.first_span[static_cast<size_t>(row)];
+         s < lines.first_span[static_cast<size_t>(row) + 1]; ++s) {
       const Span& span = lines.spans[s];
       if (span.target == Span::kNothing) {
         std::memset(out + 3 * span.first, 0, 3u * span.count);

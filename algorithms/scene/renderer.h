@@ -1,6 +1,7 @@
 #pragma once
-// The frames of a scene's cameras. Holds what each pixel looks at (10 to 14 bytes a pixel), made once. Immutable:
-// different threads may render at the same time. render() neither allocates nor locks where the frame has its size.
+// The frames of a scene's cameras. Holds what each pixel looks at (10 to 14 bytes a pixel), made once.
+// Immutable: different threads may render at the same time. render() neither allocates nor locks where the
+// frame has its size.
 
 #include <cstdint>
 #include <memory>
@@ -17,8 +18,8 @@ class Renderer {
  public:
   explicit Renderer(std::shared_ptr<const World> world);
 
-  /// The frame (BGR, 8 bits) that a camera takes at a time; `frame` picks the noise. `bgr` is given the camera's size
-  /// where it has another. The same arguments give the same pixels.
+  /// The frame (BGR, 8 bits) that a camera takes at a time; `frame` picks the noise. `bgr` is given the
+  /// camera's size where it has another. The same arguments give the same pixels.
   void render(size_t camera, double time_s, uint64_t frame, cv::Mat& bgr) const;
 
   const World& world() const { return *world_; }

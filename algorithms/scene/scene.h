@@ -1,7 +1,7 @@
 #pragma once
-// What a simulated scene consists of: a vehicle with its true rig on a painted ground under a sky, its way over time,
-// and what each camera makes of the light. World frame: the vehicle's frame at time 0. Colours are 8-bit, as an ideal
-// camera would give them. Plain values.
+// What a simulated scene consists of: a vehicle with its true rig on a painted ground under a sky, its way
+// over time, and what each camera makes of the light. World frame: the vehicle's frame at time 0. Colours are
+// 8-bit, as an ideal camera would give them. Plain values.
 
 #include <Eigen/Core>
 #include <array>
@@ -27,7 +27,8 @@ struct Patch {
   double opacity = 1;
 };
 
-/// Contracts, "Charts": squares counted along x and y, the one at (-x, -y) black, half a square of white around.
+/// Contracts, "Charts": squares counted along x and y, the one at (-x, -y) black, half a square of white
+/// around.
 struct Checkerboard {
   std::string name;
   std::array<int, 2> squares = {0, 0};
@@ -36,7 +37,8 @@ struct Checkerboard {
 
   /// Corner (i, j) of the squares in the world, 0 <= i <= squares[0], 0 <= j <= squares[1].
   Eigen::Vector2d corner(int i, int j) const {
-    return world_from_chart * Eigen::Vector2d((i - squares[0] / 2.0) * square_m, (j - squares[1] / 2.0) * square_m);
+    return world_from_chart *
+           Eigen::Vector2d((i - squares[0] / 2.0) * square_m, (j - squares[1] / 2.0) * square_m);
   }
 };
 
@@ -65,8 +67,8 @@ struct Path {
   double turn_radius_m = 20;
 };
 
-/// What a camera makes of the light 0..255 of one channel at distance q from its lens's centre, in half image widths:
-/// 255 (gain / (1 + f1 q^2 + f2 q^4) light / 255)^gamma, and noise.
+/// What a camera makes of the light 0..255 of one channel at distance q from its lens's centre, in half image
+/// widths: 255 (gain / (1 + f1 q^2 + f2 q^4) light / 255)^gamma, and noise.
 struct Response {
   std::array<double, 3> gain_bgr = {1, 1, 1};
   double gamma = 1;

@@ -18,7 +18,8 @@ constexpr int kMostTexels = 2000;  // from the origin to the ground's edge
 Ground read_ground(const Value& value) {
   Ground ground;
   if (!value) return ground;
-  value.only({"colour_bgr", "grain_contrast", "grain_m", "blotch_contrast", "blotch_m", "metres_per_texel", "half_extent_m"});
+  value.only({"colour_bgr", "grain_contrast", "grain_m", "blotch_contrast", "blotch_m", "metres_per_texel",
+              "half_extent_m"});
   ground.colour = read_colour(value.optional("colour_bgr"), ground.colour);
   ground.grain_contrast = value.optional("grain_contrast").number({0, 1}, ground.grain_contrast);
   ground.grain_m = value.optional("grain_m").number(kLength, ground.grain_m);
@@ -29,7 +30,8 @@ Ground read_ground(const Value& value) {
   if ((ground.metres_per_texel > 0) != (ground.half_extent_m > 0)) {
     value.fault("expected both or neither of \"metres_per_texel\" and \"half_extent_m\"");
   } else if (ground.half_extent_m > kMostTexels * ground.metres_per_texel) {
-    value.optional("half_extent_m").fault("expected at most " + std::to_string(kMostTexels) + " times \"metres_per_texel\"");
+    value.optional("half_extent_m")
+        .fault("expected at most " + std::to_string(kMostTexels) + " times \"metres_per_texel\"");
   }
   return ground;
 }
@@ -53,7 +55,8 @@ Path read_path(const Value& value) {
   path.period_s = value.optional("period_s").number({0.1, 1e4}, path.period_s);
   path.turn_radius_m = value.optional("turn_radius_m").number({0.1, 1e6}, path.turn_radius_m);
   if (path.travel_m > path.turn_radius_m) {
-    value.fault("\"travel_m\" is more than \"turn_radius_m\": expected a turn of at most one radian to either side");
+    value.fault(
+        "\"travel_m\" is more than \"turn_radius_m\": expected a turn of at most one radian to either side");
   }
   return path;
 }
@@ -79,7 +82,8 @@ std::array<Response, 4> read_responses(const Value& cameras) {
   std::array<Response, 4> responses;
   if (!cameras) return responses;
   cameras.only(geometry::kCameraNames);
-  for (size_t i = 0; i < responses.size(); ++i) responses[i] = read_response(cameras.optional(geometry::kCameraNames[i]));
+  for (size_t i = 0; i < responses.size(); ++i)
+    responses[i] = read_response(cameras.optional(geometry::kCameraNames[i]));
   return responses;
 }
 
@@ -91,11 +95,13 @@ std::vector<Checkerboard> read_charts(const Value& charts) {
     board.name = chart.required("name").string();
     chart.required("type").choice({"checkerboard"});
     const auto squares = chart.required("squares").items(2);
-    for (size_t i = 0; i < squares.size(); ++i) board.squares[i] = static_cast<int>(squares[i].integer({2, 100}, 2));
+    for (size_t i = 0; i < squares.size(); ++i)
+      board.squares[i] = static_cast<int>(squares[i].integer({2, 100}, 2));
     board.square_m = chart.required("square_m").number(kLength, 1);
     board.world_from_chart = read_pose(chart.required("pose"));
     for (const auto& other : boards) {
-      if (other.name == board.name) chart.optional("name").fault("\"" + board.name + "\" is another chart's name already");
+      if (other.name == board.name)
+        chart.optional("name").fault("\"" + board.name + "\" is another chart's name already");
     }
     boards.push_back(std::move(board));
   }
@@ -118,7 +124,8 @@ geometry::Rig read_rig_of(const Value& name, Faults& faults) {
 Result<Scene> from_document(const json::Document& document) {
   Faults faults;
   const Value root(document, faults);
-  root.only({"rig", "ground", "paint", "charts", "sky", "path", "cameras", "frame_rate_hz", "timestamp_jitter_ms", "seed"});
+  root.only({"rig", "ground", "paint", "charts", "sky", "path", "cameras", "frame_rate_hz",
+             "timestamp_jitter_ms", "seed"});
   Scene scene;
   scene.rig = read_rig_of(root.required("rig"), faults);
   scene.ground = read_ground(root.optional("ground"));
@@ -140,7 +147,9 @@ Result<Scene> from_document(const json::Document& document) {
 
 }  // namespace
 
-Result<Scene> read_scene(const std::filesystem::path& path) { return json::Document::read(path).and_then(from_document); }
+Result<Scene> read_scene(const std::filesystem::path& path) {
+  return json::Document::read(path).and_then(from_document);
+}
 
 Result<Scene> parse_scene(const std::string& text, const std::string& file) {
   return json::Document::parse(text, file).and_then(from_document);

@@ -9,7 +9,8 @@
 namespace svchain::scene {
 
 namespace {
-constexpr uint64_t kNoise = 1 << 16;  // values in the stock of noise, from which pieces are cut at random places
+constexpr uint64_t kNoise =
+    1 << 16;  // values in the stock of noise, from which pieces are cut at random places
 }
 
 double respond(const Response& response, int channel, double light) {
@@ -27,11 +28,13 @@ Sensor::Sensor(const Response& response, uint64_t seed) : noise_(kNoise + 3 * kM
   for (size_t i = 0; i < noise_.size(); ++i) {  // Box & Muller 1958
     const double radius = std::sqrt(-2 * std::log(1 - unit(hash(seed, i, 1u))));
     const double gaussian = radius * std::cos(2 * std::numbers::pi * unit(hash(seed, i, 2u)));
-    noise_[i] = static_cast<int16_t>(std::lround(std::clamp(16 * response.noise_sigma * gaussian, -8000.0, 8000.0)));
+    noise_[i] =
+        static_cast<int16_t>(std::lround(std::clamp(16 * response.noise_sigma * gaussian, -8000.0, 8000.0)));
   }
 }
 
-void Sensor::develop(const uint64_t* light, const uint16_t* falloff, int pixels, uint64_t noise_key, uint8_t* bgr) const {
+void Sensor::develop(const uint64_t* light, const uint16_t* falloff, int pixels, uint64_t noise_key,
+                     uint8_t* bgr) const {
   int16_t level[3 * kMostPixels];
   for (int i = 0; i < pixels; ++i) {
     const uint32_t share = falloff[i];

@@ -67,12 +67,15 @@ std::vector<Patch> patches(const Checkerboard& board) {
   constexpr Colour kWhite{232, 232, 232};
   constexpr Colour kBlack{24, 24, 24};
   const double side = board.square_m;
-  std::vector<Patch> list = {{rectangle(board.world_from_chart, (board.squares[0] + 1) * side, (board.squares[1] + 1) * side),
-                              kWhite, 1}};
+  std::vector<Patch> list = {
+      {rectangle(board.world_from_chart, (board.squares[0] + 1) * side, (board.squares[1] + 1) * side),
+       kWhite, 1}};
   for (int j = 0; j < board.squares[1]; ++j) {
     for (int i = j % 2; i < board.squares[0]; i += 2) {
-      list.push_back({{board.corner(i, j), board.corner(i + 1, j), board.corner(i + 1, j + 1), board.corner(i, j + 1)},
-                      kBlack, 1});
+      list.push_back(
+          {{board.corner(i, j), board.corner(i + 1, j), board.corner(i + 1, j + 1), board.corner(i, j + 1)},
+           kBlack,
+           1});
     }
   }
   return list;

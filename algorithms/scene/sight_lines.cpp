@@ -9,8 +9,8 @@ namespace svchain::scene {
 
 namespace {
 
-constexpr int kMostTapsLog2 = 2;
-constexpr double kLongestTap = 1.0;  // length over width of what one sample may stand for
+constexpr int kMostTapsLog2 =
+    1;  // four taps would mend little but the far distance, and cost a quarter of the speed
 
 using Ray = Eigen::Vector3d;  // unit, in the vehicle's frame; zero where the lens does not reach
 
@@ -18,7 +18,8 @@ std::vector<Ray> rays_of_row(const geometry::Camera& camera, int y) {
   std::vector<Ray> rays(static_cast<size_t>(camera.image_size_px.x()), Ray::Zero());
   const Eigen::Matrix3d rotation = camera.vehicle_from_camera.rotation.toRotationMatrix();
   for (size_t x = 0; x < rays.size(); ++x) {
-    if (const auto ray = camera.lens->unproject({static_cast<double>(x), static_cast<double>(y)})) rays[x] = rotation * *ray;
+    if (const auto ray = camera.lens->unproject({static_cast<double>(x), static_cast<double>(y)}))
+      rays[x] = rotation * *ray;
   }
   return rays;
 }
@@ -43,27 +44,31 @@ Aim aim(const World& world, const geometry::Camera& camera, const Ray& ray, doub
     const double across = range * pixel_rad;
     const double along = across / -ray.z();
     const double resolved = std::max(across, world.ground().front().metres_per_texel);
-    const int taps_log2 = std::clamp(static_cast<int>(std::lround(std::log2(along / resolved / kLongestTap))), 0, kMostTapsLog2);
+    const int taps_log2 =
+        std::clamp(static_cast<int>(std::lround(std::log2(along / resolved))), 0, kMostTapsLog2);
     const double tap = std::ldexp(along, -taps_log2);
     const double farthest = place.head<2>().norm() + largest_travel_m(world.scene().path) + along;
     if (const auto level = world.level_for(std::sqrt(across * tap), farthest)) {
       const double scale = 1 / world.ground()[*level].metres_per_texel;
       const double from_foot = (place - eye).head<2>().norm();
-      return {static_cast<uint8_t>(*level), static_cast<uint8_t>(taps_log2), static_cast<float>(place.x() * scale),
-              static_cast<float>(place.y() * scale), static_cast<float>(taps_log2 == 0 ? 0 : tap / from_foot)};
+      return {static_cast<uint8_t>(*level), static_cast<uint8_t>(taps_log2),
+              static_cast<float>(place.x() * scale), static_cast<float>(place.y() * scale),
+              static_cast<float>(taps_log2 == 0 ? 0 : tap / from_foot)};
     }
   }
   const Panorama& panorama = world.panorama();
   const double elevation = std::atan2(ray.z(), std::hypot(ray.x(), ray.y())) / panorama.radians_per_texel;
   const double row = std::clamp(panorama.horizon_row - elevation, 0.0, panorama.texture.height - 2.0);
-  return {Span::kPanorama, 0,
-          static_cast<float>(panorama.first_column + std::atan2(ray.y(), ray.x()) / panorama.radians_per_texel),
-          static_cast<float>(row), 0};
+  return {
+      Span::kPanorama, 0,
+      static_cast<float>(panorama.first_column + std::atan2(ray.y(), ray.x()) / panorama.radians_per_texel),
+      static_cast<float>(row), 0};
 }
 
 uint16_t falloff_at(const Response& response, const Eigen::Vector2d& from_centre_px, int width_px) {
   const double q2 = from_centre_px.squaredNorm() / (0.25 * width_px * width_px);
-  return static_cast<uint16_t>(std::lround(65535 / (1 + response.falloff[0] * q2 + response.falloff[1] * q2 * q2)));
+  return static_cast<uint16_t>(
+      std::lround(65535 / (1 + response.falloff[0] * q2 + response.falloff[1] * q2 * q2)));
 }
 
 }  // namespace
@@ -81,7 +86,8 @@ SightLines trace_sight_lines(const World& world, size_t index) {
   lines.y.resize(pixels);
   lines.stretch.resize(pixels);
   lines.falloff.resize(pixels);
-  const Eigen::Vector2d centre = camera.lens->project({0, 0, 1}).value_or(Eigen::Vector2d(lines.width / 2.0, lines.height / 2.0));
+  const Eigen::Vector2d centre =
+      camera.lens->project({0, 0, 1}).value_or(Eigen::Vector2d(lines.width / 2.0, lines.height / 2.0));
 
   std::vector<Ray> row = rays_of_row(camera, 0);
   size_t pixel = 0;
@@ -100,7 +106,8 @@ SightLines trace_sight_lines(const World& world, size_t index) {
       lines.y[pixel] = a.y;
       lines.stretch[pixel] = a.stretch;
       lines.falloff[pixel] = falloff_at(response, Eigen::Vector2d(x, y) - centre, lines.width);
-      const bool same = x > 0 && lines.spans.back().target == a.target && lines.spans.back().taps_log2 == a.taps_log2;
+      const bool same =
+          x > 0 && lines.spans.back().target == a.target && lines.spans.back().taps_log2 == a.taps_log2;
       if (!same) lines.spans.push_back({static_cast<uint16_t>(x), 0, a.target, a.taps_log2});
       ++lines.spans.back().count;
     }

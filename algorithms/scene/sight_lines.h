@@ -1,6 +1,7 @@
 #pragma once
-// What each pixel of a camera looks at, worked out once: a place on the ground in the vehicle's frame, or a direction to
-// the surroundings, or nothing where the lens does not reach. Plain values; immutable after the making.
+// What each pixel of a camera looks at, worked out once: a place on the ground in the vehicle's frame, or a
+// direction to the surroundings, or nothing where the lens does not reach. Plain values; immutable after the
+// making.
 
 #include <cstdint>
 #include <vector>

@@ -21,7 +21,8 @@ Eigen::Vector3d sample(const Texture& texture, double u, double v) {
     const uint32_t t = texture.row(j)[i];
     return Eigen::Vector3d(t & 255, t >> 8 & 255, t >> 16 & 255);
   };
-  return (1 - b) * ((1 - a) * at(x, y) + a * at(x + 1, y)) + b * ((1 - a) * at(x, y + 1) + a * at(x + 1, y + 1));
+  return (1 - b) * ((1 - a) * at(x, y) + a * at(x + 1, y)) +
+         b * ((1 - a) * at(x, y + 1) + a * at(x + 1, y + 1));
 }
 
 }  // namespace
@@ -40,11 +41,13 @@ cv::Mat ideal_top_view(const World& world, const geometry::View& view, double ti
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       for (int k = 0; k < kSamples * kSamples; ++k) {
         const Eigen::Vector2d offset((k / kSamples + 0.5) * step, (k % kSamples + 0.5) * step);
-        const Eigen::Vector2d place = pose * (centre + offset - Eigen::Vector2d::Constant(view.metres_per_px / 2));
+        const Eigen::Vector2d place =
+            pose * (centre + offset - Eigen::Vector2d::Constant(view.metres_per_px / 2));
         sum += sample(level.texture, level.texel_at(place.x()), level.texel_at(place.y()));
       }
       sum = (sum / (kSamples * kSamples)).array() + 0.5;
-      image.at<cv::Vec3b>(j, i) = {static_cast<uint8_t>(sum[0]), static_cast<uint8_t>(sum[1]), static_cast<uint8_t>(sum[2])};
+      image.at<cv::Vec3b>(j, i) = {static_cast<uint8_t>(sum[0]), static_cast<uint8_t>(sum[1]),
+                                   static_cast<uint8_t>(sum[2])};
     }
   }
   return image;

@@ -16,7 +16,8 @@ constexpr int kWindows = 3;        // levels of full size
 constexpr int kSmallestSide = 80;  // texels of the coarsest level, at least
 
 std::vector<GroundLevel> make_ground(const Scene& scene) {
-  const double finest = scene.ground.metres_per_texel > 0 ? scene.ground.metres_per_texel : scene.rig.vehicle.length_m / 960;
+  const double finest =
+      scene.ground.metres_per_texel > 0 ? scene.ground.metres_per_texel : scene.rig.vehicle.length_m / 960;
   const double half_extent = scene.ground.half_extent_m > 0 ? scene.ground.half_extent_m : 1280 * finest;
   const int side = std::max(2, static_cast<int>(std::ceil(half_extent / finest / 16))) * 32;
 
@@ -52,7 +53,9 @@ std::optional<size_t> World::level_for(double footprint_m, double distance_m) co
   const double ideal = std::log2(std::max(footprint_m, 1e-9) / ground_.front().metres_per_texel);
   const double last = static_cast<double>(ground_.size() - 1);
   auto level = static_cast<size_t>(std::lround(std::clamp(ideal, 0.0, last)));
-  const auto reaches = [&](const GroundLevel& g) { return distance_m + 2 * g.metres_per_texel < g.half_extent_m; };
+  const auto reaches = [&](const GroundLevel& g) {
+    return distance_m + 2 * g.metres_per_texel < g.half_extent_m;
+  };
   while (level < ground_.size() && !reaches(ground_[level])) ++level;
   if (level == ground_.size()) return std::nullopt;
   return level;

@@ -1,10 +1,10 @@
 #pragma once
-// A scene made ready to be looked at: its ground drawn at every scale at which a camera may see it, and its surroundings.
-// Made once, then immutable: any thread may look.
+// A scene made ready to be looked at: its ground drawn at every scale at which a camera may see it, and its
+// surroundings. Made once, then immutable: any thread may look.
 //
-// The finest levels are windows about the origin, each twice as wide as the one before at the same number of texels
-// (a clip map, Tanner et al. 1998); from the widest on each has half the texels of the one before (a mip map). Beyond
-// them the ground is the panorama's.
+// The finest levels are windows about the origin, each twice as wide as the one before at the same number of
+// texels (a clip map, Tanner et al. 1998); from the widest on each has half the texels of the one before (a
+// mip map). Beyond them the ground is the panorama's.
 
 #include <optional>
 #include <vector>
@@ -32,7 +32,8 @@ class World {
   const std::vector<GroundLevel>& ground() const { return ground_; }
   const Panorama& panorama() const { return panorama_; }
 
-  /// The level whose texels are nearest in size to the footprint among those that reach as far from the origin.
+  /// The level whose texels are nearest in size to the footprint among those that reach as far from the
+  /// origin.
   std::optional<size_t> level_for(double footprint_m, double distance_m) const;
 
  private:

@@ -5,10 +5,8 @@
 // those at the right and lower edge may be smaller), then each block's content, four lists walked in
 // parallel:
 //   spans       runs of pixels of one row and kind, which cover the block once, row by row
-//   entries     where to sample: a span of one camera takes `count` of them, a blend `count` of its first
-//   camera,
-//               then `count` of its second. Coordinates are relative to the source's box, as fixed_point.h
-//               defines
+//   entries     where to sample, as fixed_point.h defines, relative to the source's box: `count` for a span
+//               of one camera; for a blend `count` of its first camera, then `count` of its second
 //   weights     a blend takes `count`: the share of its first camera in 255ths
 //   background  a span of background takes `count` pixels, b g r
 // A source is a camera with the box (in the camera's image) that tightly encloses the pixels this block takes

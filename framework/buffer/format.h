@@ -11,8 +11,8 @@ struct Format {
   std::string type;  // "bgr8", "nv12", ... for pictures; the name of a table otherwise: "geometric_lut"
   int width_px = 0;  // 0: not a picture
   int height_px = 0;
-  int pitch_bytes = 0;   // from row to row
-  size_t bytes = 0;      // of the whole buffer
+  int pitch_bytes = 0;  // from row to row
+  size_t bytes = 0;     // of the whole buffer
 
   bool operator==(const Format&) const = default;
 

@@ -23,7 +23,8 @@ Frame::Frame(const ipc::Message& message, Holder& holder) : message_(message), h
   for_each_buffer(message_, [&](ipc::BufferId b) { holder.arrived(b); });
 }
 
-Frame::Frame(Frame&& other) noexcept : message_(other.message_), holder_(std::exchange(other.holder_, nullptr)) {
+Frame::Frame(Frame&& other) noexcept
+    : message_(other.message_), holder_(std::exchange(other.holder_, nullptr)) {
   other.message_.count = 0;
 }
 

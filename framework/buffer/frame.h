@@ -1,7 +1,8 @@
 #pragma once
-// Frame: a shared, const handle on one to eight buffers of one moment (an image, a set of four, a table). Draft: the same
-// while its one writer still writes it. Handles are counted: the last one to go sends the buffers back to their pool.
-// Thread rule: a handle belongs to the core (thread) of its holder; frames cross cores only through edges.
+// Frame: a shared, const handle on one to eight buffers of one moment (an image, a set of four, a table).
+// Draft: the same while its one writer still writes it. Handles are counted: the last one to go sends the
+// buffers back to their pool. Thread rule: a handle belongs to the core (thread) of its holder; frames cross
+// cores only through edges.
 
 #include <cstddef>
 #include <cstdint>
@@ -39,8 +40,8 @@ class Frame {
   void set_captured_ns(int64_t t) { message_.captured_ns = t; }
   void set_timestamp_ns(int buffer, int64_t t) { message_.timestamp_ns[static_cast<size_t>(buffer)] = t; }
 
-  /// Moves the buffers of another frame into this one, behind those it has; the first one also gives sequence and
-  /// capture time. A set whose member is missing gets append_missing().
+  /// Moves the buffers of another frame into this one, behind those it has; the first one also gives sequence
+  /// and capture time. A set whose member is missing gets append_missing().
   void append(Frame&& other);
   void append_missing();
   /// A frame of only this buffer of the set.

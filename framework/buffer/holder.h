@@ -1,6 +1,6 @@
 #pragma once
-// Who holds frames: one Holder per link. It knows the pools, keeps the accounts of who has what, and knows the way home
-// for a buffer whose last reference goes on its core. Belongs to its link's core.
+// Who holds frames: one Holder per link. It knows the pools, keeps the accounts of who has what, and knows
+// the way home for a buffer whose last reference goes on its core. Belongs to its link's core.
 
 #include <memory>
 #include <string>
@@ -50,7 +50,8 @@ using PoolTable = std::vector<std::unique_ptr<Pool>>;
 
 class Holder {
  public:
-  Holder(size_t id, const PoolTable& pools, ReturnPath& returns) : id_(id), pools_(pools), returns_(returns) {}
+  Holder(size_t id, const PoolTable& pools, ReturnPath& returns)
+      : id_(id), pools_(pools), returns_(returns) {}
 
   Pool& pool(ipc::BufferId buffer) const { return *pools_[buffer.pool]; }
   /// Accounts for a reference that has come to, or left, this holder; the reference itself goes on.

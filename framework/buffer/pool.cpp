@@ -10,7 +10,9 @@ namespace {
 constexpr size_t kPage = 4096;
 constexpr size_t kLine = 64;
 
-size_t rounded(size_t bytes, size_t unit) { return (bytes + unit - 1) / unit * unit; }
+size_t rounded(size_t bytes, size_t unit) {
+  return (bytes + unit - 1) / unit * unit;
+}
 
 }  // namespace
 
@@ -45,7 +47,9 @@ std::optional<uint16_t> Pool::take() {
   return index;
 }
 
-void Pool::give_back(uint16_t index) { free_.push_back(index); }
+void Pool::give_back(uint16_t index) {
+  free_.push_back(index);
+}
 
 void Pool::note_held(uint16_t index, size_t holder, int change) {
   auto& held = held_[index * holders_ + holder];

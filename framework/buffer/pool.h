@@ -1,9 +1,9 @@
 #pragma once
-// A pool of equal buffers in shared memory, referred to by index. Every buffer counts its references, and beside that how
-// many each holder has, so that at the end it can be said who keeps what.
+// A pool of equal buffers in shared memory, referred to by index. Every buffer counts its references, and
+// beside that how many each holder has, so that at the end it can be said who keeps what.
 //
-// Thread rule: take() and give_back() belong to the owner's core. References are counted from any core; whoever drops
-// the last one sees to it that the index gets back to the owner (ReturnPath).
+// Thread rule: take() and give_back() belong to the owner's core. References are counted from any core;
+// whoever drops the last one sees to it that the index gets back to the owner (ReturnPath).
 
 #include <atomic>
 #include <cstdint>
@@ -42,12 +42,12 @@ class Pool {
 
   void add_reference(uint16_t index) { references_[index].fetch_add(1, std::memory_order_relaxed); }
   /// True for the last one. acq_rel: every holder's reads come before the next writer's writes.
-  bool drop_reference(uint16_t index) { return references_[index].fetch_sub(1, std::memory_order_acq_rel) == 1; }
+  bool drop_reference(uint16_t index) {
+    return references_[index].fetch_sub(1, std::memory_order_acq_rel) == 1;
+  }
   void note_held(uint16_t index, size_t holder, int change);
 
-  std::span<std::byte> bytes(uint16_t index) const {
-    return {payload_ + index * stride_, format_.bytes};
-  }
+  std::span<std::byte> bytes(uint16_t index) const { return {payload_ + index * stride_, format_.bytes}; }
 
   size_t buffers() const { return buffers_; }
   size_t free() const { return free_.size(); }
@@ -66,7 +66,8 @@ class Pool {
   size_t high_water_ = 0;
   ipc::SharedRegion region_;
   std::atomic<uint32_t>* references_ = nullptr;  // in the region, by index
-  std::atomic<uint16_t>* held_ = nullptr;        // in the region, [index][holder]; each written by its holder's core only
+  std::atomic<uint16_t>* held_ =
+      nullptr;  // in the region, [index][holder]; each written by its holder's core only
   std::byte* payload_ = nullptr;
   std::vector<uint16_t> free_;
 };

@@ -18,7 +18,8 @@ size_t held_behind(const Plan& plan, const std::vector<LinkSetup>& setups, int e
   const PlannedLink& consumer = plan.links[static_cast<size_t>(edge.to_link)];
   const PortDescription& input = consumer.description.inputs[static_cast<size_t>(edge.to_port)];
   const int holds = setups[static_cast<size_t>(edge.to_link)].holds[static_cast<size_t>(edge.to_port)];
-  const size_t in_call = input.intake == Intake::kState || edge.entry.feedback ? 2 : 1;  // the old one beside the new
+  const size_t in_call =
+      input.intake == Intake::kState || edge.entry.feedback ? 2 : 1;  // the old one beside the new
   size_t count = static_cast<size_t>(edge.entry.depth + holds) + in_call;
   for (size_t port = 0; port < consumer.description.outputs.size(); ++port) {
     const auto& forwards = consumer.description.outputs[port].forwards;
@@ -36,8 +37,8 @@ void build_cores(const Plan& plan, Chain::Runtime& r) {
   for (const PlannedLink& link : plan.links) ++links_on[static_cast<size_t>(link.core)];
   for (size_t c = 0; c < count; ++c) {
     r.doorbells.push_back(new (r.doorbells_region.bytes().data() + c * kSpacing) Doorbell);
-    r.cores.push_back(
-        std::make_unique<Core>(static_cast<int>(c), plan.cores[c].name, *r.doorbells[c], *r.clock, links_on[c]));
+    r.cores.push_back(std::make_unique<Core>(static_cast<int>(c), plan.cores[c].name, *r.doorbells[c],
+                                             *r.clock, links_on[c]));
   }
   // Sink first: what is nearest to delivery runs first.
   r.position.resize(plan.links.size());
@@ -49,7 +50,8 @@ void build_cores(const Plan& plan, Chain::Runtime& r) {
 }
 
 /// Own output ports of a link with equal formats share a pool.
-std::vector<std::vector<std::vector<Pool*>>> build_pools(const Plan& plan, const std::vector<LinkSetup>& setups,
+std::vector<std::vector<std::vector<Pool*>>> build_pools(const Plan& plan,
+                                                         const std::vector<LinkSetup>& setups,
                                                          Chain::Runtime& r) {
   std::vector<std::vector<std::vector<Pool*>>> by_link_port(plan.links.size());
   for (size_t l = 0; l < plan.links.size(); ++l) {
@@ -76,21 +78,23 @@ std::vector<std::vector<std::vector<Pool*>>> build_pools(const Plan& plan, const
     const auto& core = r.cores[static_cast<size_t>(link.core)];
     for (Need& need : needs) {
       const std::string name = needs.size() == 1 ? link.entry.name : link.entry.name + "." + need.port;
-      r.pools.push_back(std::make_unique<Pool>(static_cast<uint16_t>(r.pools.size()), name, need.format, need.buffers,
-                                               plan.links.size(),
+      r.pools.push_back(std::make_unique<Pool>(static_cast<uint16_t>(r.pools.size()), name, need.format,
+                                               need.buffers, plan.links.size(),
                                                PoolOwner{link.core, &core->attention(), r.position[l]}));
       need.pool = r.pools.back().get();
     }
     by_link_port[l].resize(outputs.size());
     for (size_t port = 0; port < outputs.size(); ++port) {
       if (!outputs[port].forwards.empty()) continue;
-      for (const Format& format : setups[l].outputs[port]) by_link_port[l][port].push_back(need_of(format)->pool);
+      for (const Format& format : setups[l].outputs[port])
+        by_link_port[l][port].push_back(need_of(format)->pool);
     }
   }
   return by_link_port;
 }
 
-/// A ring of returns from every core to every other that owns pools, long enough for all of the owner's buffers.
+/// A ring of returns from every core to every other that owns pools, long enough for all of the owner's
+/// buffers.
 void build_return_paths(Chain::Runtime& r) {
   const size_t cores = r.cores.size();
   std::vector<size_t> owned(cores);
@@ -115,7 +119,8 @@ void build_return_paths(Chain::Runtime& r) {
 Edge::End end_of(const Plan& plan, Chain::Runtime& r, int link) {
   const auto l = static_cast<size_t>(link);
   const auto core = static_cast<size_t>(plan.links[l].core);
-  return {static_cast<int>(core), r.position[l], &r.cores[core]->attention(), r.doorbells[core], r.holders[l].get()};
+  return {static_cast<int>(core), r.position[l], &r.cores[core]->attention(), r.doorbells[core],
+          r.holders[l].get()};
 }
 
 }  // namespace
@@ -147,13 +152,14 @@ std::unique_ptr<Chain::Runtime> build_runtime(Plan& plan, const std::vector<Link
   }
   for (const PlannedEdge& edge : plan.edges) {
     r.edges.push_back(std::make_unique<Edge>(edge.entry.name(), edge.entry.depth, edge.entry.policy,
-                                             end_of(plan, r, edge.from_link), end_of(plan, r, edge.to_link), *r.clock));
+                                             end_of(plan, r, edge.from_link), end_of(plan, r, edge.to_link),
+                                             *r.clock));
   }
   for (size_t l = 0; l < plan.links.size(); ++l) {
     PlannedLink& link = plan.links[l];
-    r.runners.push_back(std::make_unique<Runner>(link.entry.name, plan.cores[static_cast<size_t>(link.core)].name,
-                                                 link.link, link.description, link.entry.on_error, *r.holders[l],
-                                                 *r.clock, hooks));
+    r.runners.push_back(
+        std::make_unique<Runner>(link.entry.name, plan.cores[static_cast<size_t>(link.core)].name, link.link,
+                                 link.description, link.entry.on_error, *r.holders[l], *r.clock, hooks));
     Runner& runner = *r.runners.back();
     runner.set_calls_without_room(setups[l].calls_without_room);
     for (size_t port = 0; port < link.input_edges.size(); ++port) {

@@ -16,9 +16,13 @@ Chain::~Chain() {
   for (PlannedLink& planned : plan_.links) planned.link.reset();  // whatever they keep needs the pools
 }
 
-ChainState Chain::state() const { return state_.load(); }
+ChainState Chain::state() const {
+  return state_.load();
+}
 
-const Plan& Chain::plan() const { return plan_; }
+const Plan& Chain::plan() const {
+  return plan_;
+}
 
 void Chain::act(ChainAction action) {
   const auto next = next_state(state(), action);
@@ -34,8 +38,8 @@ Result<void> Chain::configure() {
   act(ChainAction::kConfigure);
   for (const auto& held : outstanding()) {
     state_ = before;
-    return svchain::fail(plan_.use_case.file, "link \"" + held.holder + "\" still keeps buffers of \"" + held.pool +
-                                                  "\" from the last run");
+    return svchain::fail(plan_.use_case.file, "link \"" + held.holder + "\" still keeps buffers of \"" +
+                                                  held.pool + "\" from the last run");
   }
   auto setups = configure_links(plan_, options_.pace);
   if (!setups) {
@@ -89,7 +93,10 @@ void Chain::start() {
   act(ChainAction::kStart);
   Runtime& r = *runtime_;
   if (options_.execution == Execution::kThreads) {
-    for (auto& core : r.cores) r.threads.emplace_back([&core, this] { core->loop(options_.spins); });
+    for (size_t c = 0; c < r.cores.size(); ++c) {
+      r.threads.emplace_back(
+          [&core = *r.cores[c], &soc = plan_.cores[c]] { core.loop(soc.spins, soc.parks); });
+    }
   }
   r.links_started = true;
   r.started_ns = r.clock->now_ns();
@@ -121,7 +128,9 @@ void Chain::request_end() {
   for (auto& core : runtime_->cores) core->doorbell().ring();
 }
 
-bool Chain::finished() const { return runtime_ && runtime_->ended.load() == runtime_->runners.size(); }
+bool Chain::finished() const {
+  return runtime_ && runtime_->ended.load() == runtime_->runners.size();
+}
 
 void Chain::stop() {
   const ChainState before = state();
@@ -192,8 +201,8 @@ std::future<nlohmann::json> Chain::control(const std::string& link, const std::s
         });
     return answer->get_future();
   }
-  answer->set_exception(std::make_exception_ptr(
-      std::invalid_argument("no link \"" + link + "\"" + did_you_mean(link, names))));
+  answer->set_exception(
+      std::make_exception_ptr(std::invalid_argument("no link \"" + link + "\"" + did_you_mean(link, names))));
   return answer->get_future();
 }
 
@@ -229,7 +238,8 @@ uint64_t Chain::calls() const {
 }
 
 bool Chain::busy() const {
-  return std::any_of(runtime_->cores.begin(), runtime_->cores.end(), [](const auto& core) { return core->busy(); });
+  return std::any_of(runtime_->cores.begin(), runtime_->cores.end(),
+                     [](const auto& core) { return core->busy(); });
 }
 
 bool Chain::excuse_lost_feedback() {
@@ -272,13 +282,13 @@ std::string Chain::waiting_line(size_t link) {
     case Runner::Wait::kFrame:
     case Runner::Wait::kFeedback: {
       const PlannedEdge& edge = plan_.edges[static_cast<size_t>(std::max(0, planned.input_edges[port]))];
-      return line + "waits for " + planned.description.inputs[port].name + " from " + edge.entry.from_link + "." +
-             edge.entry.from_port;
+      return line + "waits for " + planned.description.inputs[port].name + " from " + edge.entry.from_link +
+             "." + edge.entry.from_port;
     }
     case Runner::Wait::kRoom: {
       const PlannedEdge& edge = plan_.edges[static_cast<size_t>(planned.output_edges[port])];
-      return line + "waits for room on " + edge.entry.name() + " (" + std::to_string(edge.entry.depth) + " of " +
-             std::to_string(edge.entry.depth) + " waiting there)";
+      return line + "waits for room on " + edge.entry.name() + " (" + std::to_string(edge.entry.depth) +
+             " of " + std::to_string(edge.entry.depth) + " waiting there)";
     }
     case Runner::Wait::kBuffer:
       return line + "waits for a free buffer for " + planned.description.outputs[port].name;
@@ -292,7 +302,8 @@ std::vector<OutstandingBuffers> Chain::outstanding() const {
   for (const auto& pool : runtime_->pools) {
     if (pool->free() == pool->buffers()) continue;
     for (size_t l = 0; l < plan_.links.size(); ++l) {
-      if (const size_t held = pool->held_by(l)) list.push_back({pool->name(), plan_.links[l].entry.name, held});
+      if (const size_t held = pool->held_by(l))
+        list.push_back({pool->name(), plan_.links[l].entry.name, held});
     }
   }
   return list;

@@ -1,13 +1,13 @@
 #pragma once
-// A chain: a plan brought to life. Cores with their links, pools, edges and IPC pairs; configured source to sink, started
-// sink to source, drained and stopped source to sink. What may be called when: lifecycle.h; a call at the wrong time
-// throws std::logic_error that names state and call.
+// A chain: a plan brought to life. Cores with their links, pools, edges and IPC pairs; configured source to
+// sink, started sink to source, drained and stopped source to sink. What may be called when: lifecycle.h; a
+// call at the wrong time throws std::logic_error that names state and call.
 //
-// Two ways to run: threads (one for every core in use), or by hand (step()), where one thread runs all cores in one
-// well-defined order, or in an order that a seed picks, under a virtual clock.
+// Two ways to run: threads (one for every core in use), or by hand (step()), where one thread runs all cores
+// in one well-defined order, or in an order that a seed picks, under a virtual clock.
 //
-// Threads: all functions belong to the one controlling thread, except request_end(), finished(), failure() and control(),
-// which any thread may call. The chain must outlive its threads: its destructor stops them.
+// Threads: all functions belong to the one controlling thread, except request_end(), finished(), failure()
+// and control(), which any thread may call. The chain must outlive its threads: its destructor stops them.
 
 #include <atomic>
 #include <functional>
@@ -31,7 +31,6 @@ enum class Execution { kThreads, kByHand };
 struct ChainOptions {
   Pace pace;
   Execution execution = Execution::kThreads;
-  int spins = 200;  // a core looks so often before it parks
   std::chrono::milliseconds drain_deadline{10'000};
   /// Called once, on some core's thread, when every link has ended.
   std::function<void()> on_finished;
@@ -60,8 +59,8 @@ class Chain {
   ChainState state() const;
   const Plan& plan() const;
 
-  /// Configures the links, checks the formats on every edge and makes pools and edges. All faults at once; then the chain
-  /// stays as it was.
+  /// Configures the links, checks the formats on every edge and makes pools and edges. All faults at once;
+  /// then the chain stays as it was.
   Result<void> configure();
   void start();
   /// Sources end; what was captured is delivered. Any thread.
@@ -75,8 +74,10 @@ class Chain {
   std::optional<Failure> failure() const;
   void fail(Failure failure);
 
-  /// Runs a command of a link on its core. The future holds the answer or the exception. Any thread; only while running.
-  std::future<nlohmann::json> control(const std::string& link, const std::string& command, nlohmann::json arguments);
+  /// Runs a command of a link on its core. The future holds the answer or the exception. Any thread; only
+  /// while running.
+  std::future<nlohmann::json> control(const std::string& link, const std::string& command,
+                                      nlohmann::json arguments);
 
   /// By hand: one step of one core, `choice` picks among what is ready. False if nothing was ready anywhere.
   bool step(const Core::Choice& choice = {});
@@ -89,7 +90,8 @@ class Chain {
   bool busy() const;
   /// Any thread, once the chain is configured.
   Progress progress() const;
-  /// When nothing moves any more: lets links that wait for a lost feedback token go on without. False if none waits so.
+  /// When nothing moves any more: lets links that wait for a lost feedback token go on without. False if none
+  /// waits so.
   bool excuse_lost_feedback();
   /// Who waits for whom, a line for every link that has not ended.
   std::vector<std::string> who_waits();

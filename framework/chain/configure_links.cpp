@@ -1,3 +1,5 @@
+#include <set>
+
 #include "framework/chain/link_configuration.h"
 #include "framework/chain/runtime.h"
 
@@ -15,13 +17,25 @@ void check_feedback(const Plan& plan, const std::vector<LinkSetup>& setups, Faul
     if (!edge.entry.feedback) continue;
     const PlannedLink& from = plan.links[static_cast<size_t>(edge.from_link)];
     const PlannedLink& to = plan.links[static_cast<size_t>(edge.to_link)];
-    const auto& format = setups[static_cast<size_t>(edge.from_link)].outputs[static_cast<size_t>(edge.from_port)];
+    const auto& format =
+        setups[static_cast<size_t>(edge.from_link)].outputs[static_cast<size_t>(edge.from_port)];
     if (const auto m = mismatch(to.description.inputs[static_cast<size_t>(edge.to_port)], format)) {
       faults.push_back(edge.entry.origin.fault(
-          "formats differ in " + m.field + ": \"" + port_name(from, from.description.outputs, edge.from_port) +
-          "\" gives " + m.got + ", \"" + port_name(to, to.description.inputs, edge.to_port) + "\" takes " + m.expected));
+          "formats differ in " + m.field + ": \"" +
+          port_name(from, from.description.outputs, edge.from_port) + "\" gives " + m.got + ", \"" +
+          port_name(to, to.description.inputs, edge.to_port) + "\" takes " + m.expected));
     }
   }
+}
+
+/// Several links may have read the same faulty file.
+Faults without_repeats(const Faults& faults) {
+  Faults once;
+  std::set<std::string> texts;
+  for (const Fault& fault : faults) {
+    if (texts.insert(fault.text()).second) once.push_back(fault);
+  }
+  return once;
 }
 
 }  // namespace
@@ -44,19 +58,23 @@ Result<std::vector<LinkSetup>> configure_links(Plan& plan, const Pace& pace) {
       far_ends[port] = port_name(plan.links[from], plan.links[from].description.outputs, edge.from_port);
       upstream_sound = upstream_sound && sound[from];
     }
-    if (!upstream_sound) continue;  // its faults would only repeat those of the links before it
     std::vector<bool> connected;
     for (const int e : planned.output_edges) connected.push_back(e >= 0);
-    LinkConfiguration configuration(planned.entry, planned.description, plan.use_case.settings, pace, inputs, far_ends,
-                                    connected);
-    if (configuration.found().empty()) planned.link->configure(configuration);
+    LinkConfiguration configuration(planned.entry, planned.description, plan.use_case.settings, pace, inputs,
+                                    far_ends, connected);
+    if (!upstream_sound) {
+      planned.link->check(configuration);
+    } else if (configuration.found().empty()) {
+      planned.link->configure(configuration);
+    }
     faults.insert(faults.end(), configuration.found().begin(), configuration.found().end());
-    sound[static_cast<size_t>(index)] = configuration.found().empty();
+    sound[static_cast<size_t>(index)] = upstream_sound && configuration.found().empty();
     setups[static_cast<size_t>(index)] = {configuration.outputs(), configuration.held_frames(),
-                                          configuration.preloaded_buffers(), configuration.wants_calls_without_room()};
+                                          configuration.preloaded_buffers(),
+                                          configuration.wants_calls_without_room()};
   }
   if (faults.empty()) check_feedback(plan, setups, faults);
-  if (!faults.empty()) return tl::unexpected(std::move(faults));
+  if (!faults.empty()) return tl::unexpected(without_repeats(faults));
   return setups;
 }
 

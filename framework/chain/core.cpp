@@ -18,7 +18,8 @@ bool Core::step(const Choice& choice) {
   if (!now_is_fresh_) now_ns_ = clock_.now_ns();
   now_is_fresh_ = false;
   for (size_t i = 0; i < runners_.size(); ++i) {
-    if (runners_[i]->is_source() && runners_[i]->wake_time_ns() <= now_ns_) attention_.mark(static_cast<int>(i));
+    if (runners_[i]->is_source() && runners_[i]->wake_time_ns() <= now_ns_)
+      attention_.mark(static_cast<int>(i));
   }
   Runner* runner = next_ready(choice);
   if (!runner) return false;
@@ -57,11 +58,13 @@ Runner* Core::next_ready(const Choice& choice) {
   return ready_.empty() ? nullptr : ready_[choice(ready_.size())];
 }
 
-void Core::loop(int spins) {
+void Core::loop(int spins, bool parks) {
   while (!quit_.load(std::memory_order_acquire)) {
     if (step()) continue;
     std::optional<std::chrono::nanoseconds> timeout;
-    if (const auto wake = next_wake_ns()) timeout = std::chrono::nanoseconds(*wake - clock_.now_ns());
+    if (!parks) timeout = std::chrono::nanoseconds(0);
+    if (const auto wake = next_wake_ns(); wake && parks)
+      timeout = std::chrono::nanoseconds(*wake - clock_.now_ns());
     doorbell_.wait(seen_epoch_, spins, timeout);
   }
 }

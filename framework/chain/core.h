@@ -1,7 +1,8 @@
 #pragma once
-// A core: the links placed on it, run one call at a time, nearest to the sink first (so that frames leave before new ones
-// come in). Its inbox is the rings of its IPC edges, the rings of returned buffers and a mailbox for commands; its
-// doorbell tells it to look. A core is stepped by one thread at a time: its own, or a manual executor's.
+// A core: the links placed on it, run one call at a time, nearest to the sink first (so that frames leave
+// before new ones come in). Its inbox is the rings of its IPC edges, the rings of returned buffers and a
+// mailbox for commands; its doorbell tells it to look. A core is stepped by one thread at a time: its own, or
+// a manual executor's.
 
 #include <atomic>
 #include <functional>
@@ -39,7 +40,7 @@ class Core {
   /// Does what has been posted and calls one ready link; false if there was none.
   bool step(const Choice& choice = {});
   /// Steps until quit() and parks when there is nothing to do.
-  void loop(int spins);
+  void loop(int spins, bool parks);
   /// The earliest time at which a source here wants to be called.
   std::optional<int64_t> next_wake_ns() const;
   void take_returns();

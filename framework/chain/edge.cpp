@@ -4,7 +4,8 @@
 
 namespace svchain {
 
-Edge::Edge(std::string name, int depth, Policy policy, const End& producer, const End& consumer, const Clock& clock)
+Edge::Edge(std::string name, int depth, Policy policy, const End& producer, const End& consumer,
+           const Clock& clock)
     : name_(std::move(name)),
       depth_(policy == Policy::kLatest ? 1 : depth),
       policy_(policy),
@@ -37,7 +38,8 @@ void Edge::send_end() {
 }
 
 void Edge::push(const ipc::Message& message) {
-  ring_.push(message);  // never full: depth is kept by room() and the policies, and the end has a slot of its own
+  ring_.push(
+      message);  // never full: depth is kept by room() and the policies, and the end has a slot of its own
   if (message.kind == ipc::MessageKind::kFrame) messages_.add();
   tell(consumer_);
 }

@@ -1,6 +1,7 @@
 #pragma once
-// An edge at run time: a bounded ring of messages from one link to another, and what to do when it is full. Between two
-// links of one core it is just that; between cores it is an IPC pair, and whoever changes it rings the other's doorbell.
+// An edge at run time: a bounded ring of messages from one link to another, and what to do when it is full.
+// Between two links of one core it is just that; between cores it is an IPC pair, and whoever changes it
+// rings the other's doorbell.
 //
 // Thread rule: the functions of the producer on its core, those of the consumer on its core.
 
@@ -28,7 +29,8 @@ class Edge {
     Holder* holder = nullptr;
   };
 
-  Edge(std::string name, int depth, Policy policy, const End& producer, const End& consumer, const Clock& clock);
+  Edge(std::string name, int depth, Policy policy, const End& producer, const End& consumer,
+       const Clock& clock);
 
   const std::string& name() const { return name_; }
   bool ipc() const { return ipc_; }

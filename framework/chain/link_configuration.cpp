@@ -26,7 +26,9 @@ LinkConfiguration::LinkConfiguration(const LinkEntry& entry, const LinkDescripti
   }
 }
 
-void LinkConfiguration::fault(std::string what) { faults_.push_back(entry_.origin.fault(std::move(what))); }
+void LinkConfiguration::fault(std::string what) {
+  faults_.push_back(entry_.origin.fault(std::move(what)));
+}
 
 void LinkConfiguration::parameter_fault(const std::string& parameter, std::string what) {
   const auto it = entry_.parameter_origins.find(parameter);
@@ -37,10 +39,11 @@ void LinkConfiguration::parameter_fault(const std::string& parameter, std::strin
   }
 }
 
-void LinkConfiguration::format_fault(int input_port, std::string field, std::string expected, std::string got) {
+void LinkConfiguration::format_fault(int input_port, std::string field, std::string expected,
+                                     std::string got) {
   const auto port = static_cast<size_t>(input_port);
-  fault("formats differ in " + field + ": \"" + far_ends_[port] + "\" gives " + got + ", \"" + entry_.name + "." +
-        description_.inputs[port].name + "\" takes " + expected);
+  fault("formats differ in " + field + ": \"" + far_ends_[port] + "\" gives " + got + ", \"" + entry_.name +
+        "." + description_.inputs[port].name + "\" takes " + expected);
 }
 
 FormatMismatch mismatch(const PortDescription& port, const PortFormat& format) {

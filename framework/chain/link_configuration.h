@@ -1,6 +1,6 @@
 #pragma once
-// The Configuration that a link sees, filled from a plan: collects what the link says of its outputs, and its faults
-// with their places. One per link; used while configuring only.
+// The Configuration that a link sees, filled from a plan: collects what the link says of its outputs, and its
+// faults with their places. One per link; used while configuring only.
 
 #include <map>
 #include <string>
@@ -13,10 +13,12 @@ namespace svchain {
 
 class LinkConfiguration final : public Configuration {
  public:
-  /// `inputs`: formats by port, empty where there is none. `names`: how messages call the far ends of the inputs.
+  /// `inputs`: formats by port, empty where there is none. `names`: how messages call the far ends of the
+  /// inputs.
   LinkConfiguration(const LinkEntry& entry, const LinkDescription& description,
-                    const std::map<std::string, Parameters>& settings, const Pace& pace, std::vector<PortFormat> inputs,
-                    std::vector<std::string> far_ends, std::vector<bool> outputs_connected);
+                    const std::map<std::string, Parameters>& settings, const Pace& pace,
+                    std::vector<PortFormat> inputs, std::vector<std::string> far_ends,
+                    std::vector<bool> outputs_connected);
 
   const std::string& link_name() const override { return entry_.name; }
   const Parameters& parameters() const override { return entry_.parameters; }
@@ -25,9 +27,13 @@ class LinkConfiguration final : public Configuration {
   const PortFormat& input(int port) const override { return inputs_[static_cast<size_t>(port)]; }
   bool output_connected(int port) const override { return outputs_connected_[static_cast<size_t>(port)]; }
 
-  void output(int port, PortFormat format) override { outputs_[static_cast<size_t>(port)] = std::move(format); }
+  void output(int port, PortFormat format) override {
+    outputs_[static_cast<size_t>(port)] = std::move(format);
+  }
   void holds(int input_port, int frames) override { holds_[static_cast<size_t>(input_port)] = frames; }
-  void preloaded(int output_port, int buffers) override { preloaded_[static_cast<size_t>(output_port)] = buffers; }
+  void preloaded(int output_port, int buffers) override {
+    preloaded_[static_cast<size_t>(output_port)] = buffers;
+  }
   void calls_without_room() override { calls_without_room_ = true; }
 
   void fault(std::string what) override;
@@ -55,7 +61,8 @@ class LinkConfiguration final : public Configuration {
   Faults faults_;
 };
 
-/// The first difference between a format and what a port takes, as field, expected, got; empty strings if it fits.
+/// The first difference between a format and what a port takes, as field, expected, got; empty strings if it
+/// fits.
 struct FormatMismatch {
   std::string field, expected, got;
   explicit operator bool() const { return !field.empty(); }

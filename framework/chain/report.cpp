@@ -11,7 +11,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-double rounded(double v, double unit) { return std::round(v / unit) * unit; }
+double rounded(double v, double unit) {
+  return std::round(v / unit) * unit;
+}
 
 Json in_ms(const Histogram& h) {
   const auto ms = [](int64_t ns) { return rounded(static_cast<double>(ns) * 1e-6, 1e-4); };
@@ -65,7 +67,8 @@ Json frames_part(const Plan& plan, const Chain::Runtime& r, uint64_t delivered) 
   std::map<std::string, uint64_t> dropped = dropped_sets(plan, r);
   uint64_t accounted = delivered;
   for (const auto& [reason, count] : dropped) accounted += count;
-  if (captured > accounted) dropped["unfinished"] = captured - accounted;  // on their way when the run was cut short
+  if (captured > accounted)
+    dropped["unfinished"] = captured - accounted;  // on their way when the run was cut short
   return {{"captured", captured}, {"delivered", delivered}, {"dropped", dropped}};
 }
 
@@ -92,7 +95,8 @@ nlohmann::json Chain::report() const {
 
   report["cores"] = Json::object();
   for (const auto& core : r.cores) {
-    report["cores"][core->name()]["load"] = rounded(static_cast<double>(core->busy_ns()) * 1e-9 / wall_s, 1e-4);
+    report["cores"][core->name()]["load"] =
+        rounded(static_cast<double>(core->busy_ns()) * 1e-9 / wall_s, 1e-4);
   }
   for (size_t l = 0; l < plan_.links.size(); ++l) {
     const RunnerCounters& c = r.runners[l]->counters();

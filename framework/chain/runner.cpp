@@ -5,8 +5,9 @@
 
 namespace svchain {
 
-Runner::Runner(std::string name, std::string core, std::unique_ptr<Link>& link, const LinkDescription& description,
-               OnError on_error, Holder& holder, const Clock& clock, Hooks hooks)
+Runner::Runner(std::string name, std::string core, std::unique_ptr<Link>& link,
+               const LinkDescription& description, OnError on_error, Holder& holder, const Clock& clock,
+               Hooks hooks)
     : name_(std::move(name)),
       core_(std::move(core)),
       link_(link),
@@ -101,7 +102,8 @@ Runner::Waiting Runner::waiting_outputs() {
   return {};
 }
 
-/// The token that answers the last call, older ones being of no more use. Before the first call nothing is waited for.
+/// The token that answers the last call, older ones being of no more use. Before the first call nothing is
+/// waited for.
 bool Runner::feedback_ready(In& in) {
   ipc::Message head;
   while (in.edge->peek(head)) {
@@ -155,8 +157,8 @@ int64_t Runner::run(int64_t now_ns) {
   return end_ns;
 }
 
-/// Takes the head of every kEach input. An edge that drops may have taken its frame back since it was looked at: then
-/// the heads taken so far are kept for the next try.
+/// Takes the head of every kEach input. An edge that drops may have taken its frame back since it was looked
+/// at: then the heads taken so far are kept for the next try.
 bool Runner::take_heads() {
   for (In& in : inputs_) {
     if (!in.edge || in.intake == Intake::kState || in.feedback || in.has_head) continue;
@@ -181,7 +183,8 @@ Runner::Gathered Runner::gather_all() {
       in.has_head = false;
       if (in.head.kind == ipc::MessageKind::kFrame) in.frame = Frame(in.head, holder_);
       if (in.head.kind == ipc::MessageKind::kEnd) gathered = Gathered::kEnd;
-      if (in.head.kind == ipc::MessageKind::kAbsence && gathered == Gathered::kCall) gathered = Gathered::kSkip;
+      if (in.head.kind == ipc::MessageKind::kAbsence && gathered == Gathered::kCall)
+        gathered = Gathered::kSkip;
       if (!triggered) next_trigger_ = in.head;
       triggered = true;
     }

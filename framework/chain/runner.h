@@ -1,6 +1,7 @@
 #pragma once
-// Runs one link on its core: finds out whether it can be called, hands it its frames, sends on what it makes, and keeps
-// the loops and joins behind it going when a frame is lost (every call leaves, on every output, a frame or its absence).
+// Runs one link on its core: finds out whether it can be called, hands it its frames, sends on what it makes,
+// and keeps the loops and joins behind it going when a frame is lost (every call leaves, on every output, a
+// frame or its absence).
 //
 // Thread rule: everything on the link's core, but for the counters. No function blocks, locks or allocates.
 
@@ -49,7 +50,8 @@ class Runner final : public Call {
   Runner(std::string name, std::string core, std::unique_ptr<Link>& link, const LinkDescription& description,
          OnError on_error, Holder& holder, const Clock& clock, Hooks hooks);
 
-  /// `exact`: the feedback token that answers the last call is waited for (lossless runs); otherwise the newest serves.
+  /// `exact`: the feedback token that answers the last call is waited for (lossless runs); otherwise the
+  /// newest serves.
   void connect_input(int port, Edge& edge, bool feedback, bool exact);
   /// `pools`: one for every buffer of a frame made here; empty where the output forwards. `edge` may be null.
   void connect_output(int port, Edge* edge, std::vector<Pool*> pools, bool preloaded);

@@ -52,7 +52,8 @@ struct LinkSetup {
 /// Configures every link, source to sink, and checks the formats of the feedback edges afterwards.
 Result<std::vector<LinkSetup>> configure_links(Plan& plan, const Pace& pace);
 
-/// Buffers that an output port needs: its edge's depth and whatever lies behind that keeps frames, and one to write.
+/// Buffers that an output port needs: its edge's depth and whatever lies behind that keeps frames, and one to
+/// write.
 size_t buffers_needed(const Plan& plan, const std::vector<LinkSetup>& setups, int link, int port);
 
 /// Makes cores, pools, edges and runners. Throws std::system_error where memory is short.

@@ -1,7 +1,7 @@
 #pragma once
-// The chain's time in nanoseconds from its own zero. Steady: the machine's monotonic clock. Virtual: stands still until
-// it is moved, so that a run is a function of its inputs. Any thread may read; a virtual clock is moved by its one
-// executor.
+// The chain's time in nanoseconds from its own zero. Steady: the machine's monotonic clock. Virtual: stands
+// still until it is moved, so that a run is a function of its inputs. Any thread may read; a virtual clock is
+// moved by its one executor.
 
 #include <atomic>
 #include <chrono>
@@ -18,7 +18,8 @@ class Clock {
 class SteadyClock final : public Clock {
  public:
   int64_t now_ns() const override {
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now() - zero_).count();
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now() - zero_)
+        .count();
   }
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// One call of a link's process(): its inputs, its outputs and its time. Valid during the call only. No function here
-// allocates, locks or blocks.
+// One call of a link's process(): its inputs, its outputs and its time. Valid during the call only. No
+// function here allocates, locks or blocks.
 
 #include <cstdint>
 
@@ -12,13 +12,14 @@ class Call {
  public:
   virtual ~Call() = default;
 
-  /// The frame at an input; empty (false) where a kAny link has none there now, an optional input is unconnected, or the
-  /// frame of a feedback input was lost: then the last one stays in force.
+  /// The frame at an input; empty (false) where a kAny link has none there now, an optional input is
+  /// unconnected, or the frame of a feedback input was lost: then the last one stays in force.
   virtual const Frame& input(int port) const = 0;
   /// Takes the frame away from the call, to keep or to send on.
   virtual Frame take(int port) = 0;
 
-  /// A fresh frame for an output, to be written and sent. It carries the sequence and times of the call's first input.
+  /// A fresh frame for an output, to be written and sent. It carries the sequence and times of the call's
+  /// first input.
   virtual Draft create(int port) = 0;
   /// Publishes a draft: from here on it is shared and const.
   virtual void send(int port, Draft&& draft) = 0;
@@ -29,7 +30,8 @@ class Call {
   /// The chain's clock at the start of this call.
   virtual int64_t now_ns() const = 0;
 
-  /// Counts a set (or, in a link that handles single frames, a frame) that ends here. `reason` must be a literal.
+  /// Counts a set (or, in a link that handles single frames, a frame) that ends here. `reason` must be a
+  /// literal.
   virtual void drop(const char* reason, uint64_t count = 1) = 0;
 
   // For sources (links without inputs):

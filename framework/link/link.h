@@ -74,6 +74,9 @@ class Link {
 
   virtual LinkDescription describe() const = 0;
   virtual void configure(Configuration& configuration) = 0;
+  /// Called instead of configure() where a link upstream has faults, so that what comes in is unknown: says
+  /// what is wrong all the same (files, paths), for all faults are to be shown at once.
+  virtual void check(Configuration&) {}
   virtual void start() {}
   virtual void process(Call& call) = 0;
   /// All inputs have ended: sends what is left, as far as there is room, and returns true when nothing is

@@ -31,7 +31,10 @@ class Parameters {
   bool flag(const std::string& name) const { return at(name).get<bool>(); }
   long long integer(const std::string& name) const { return at(name).get<long long>(); }
   double number(const std::string& name) const { return at(name).get<double>(); }
-  std::string text(const std::string& name) const { return at(name).get<std::string>(); }
+  /// "" for a path that is not given.
+  std::string text(const std::string& name) const {
+    return given(name) ? at(name).get<std::string>() : std::string();
+  }
   std::vector<double> numbers(const std::string& name) const { return at(name).get<std::vector<double>>(); }
   const nlohmann::json& json() const { return values_; }
 

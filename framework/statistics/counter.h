@@ -1,6 +1,6 @@
 #pragma once
-// Counters and histograms that one thread writes and any may read: relaxed single-writer stores, no read-modify-write,
-// no allocation after construction.
+// Counters and histograms that one thread writes and any may read: relaxed single-writer stores, no
+// read-modify-write, no allocation after construction.
 
 #include <array>
 #include <atomic>

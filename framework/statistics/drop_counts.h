@@ -1,5 +1,6 @@
 #pragma once
-// How many frames ended early, by reason. One writer; reasons are literals, so nothing is copied or allocated.
+// How many frames ended early, by reason. One writer; reasons are literals, so nothing is copied or
+// allocated.
 
 #include <array>
 #include <atomic>

@@ -46,6 +46,13 @@ struct LinkHarness::State {
     return pools.back().get();
   }
 
+  bool lacks_an_input() const {
+    for (size_t i = 0; i < input_formats.size(); ++i) {
+      if (input_formats[i].empty() && !description.inputs[i].optional) return true;
+    }
+    return false;
+  }
+
   std::unique_ptr<Link> link;
   LinkDescription description;
   LinkEntry entry;
@@ -69,9 +76,13 @@ struct LinkHarness::State {
 
 LinkHarness::LinkHarness(std::unique_ptr<Link> link) : state_(std::make_unique<State>(std::move(link))) {}
 
-LinkHarness::~LinkHarness() { stop(); }
+LinkHarness::~LinkHarness() {
+  stop();
+}
 
-Link& LinkHarness::link() { return *state_->link; }
+Link& LinkHarness::link() {
+  return *state_->link;
+}
 
 void LinkHarness::parameter(const std::string& name, nlohmann::json value) {
   state_->entry.parameters.put(name, std::move(value));
@@ -101,13 +112,17 @@ Faults LinkHarness::configure() {
   for (const auto& port : s.description.inputs) far_ends.push_back("harness." + port.name);
   LinkConfiguration configuration(s.entry, s.description, s.settings, pace, s.input_formats, far_ends,
                                   s.output_connected);
+  if (s.lacks_an_input()) {
+    s.link->check(configuration);
+    return configuration.found();
+  }
   s.link->configure(configuration);
   if (!configuration.found().empty()) return configuration.found();
   s.output_formats = configuration.outputs();
 
-  s.runner = std::make_unique<Runner>(
-      s.entry.name, "core", s.link, s.description, OnError::kStop, s.link_holder, s.clock,
-      Runner::Hooks{[&s](Failure f) { s.failure = f.what; }, [] {}});
+  s.runner =
+      std::make_unique<Runner>(s.entry.name, "core", s.link, s.description, OnError::kStop, s.link_holder,
+                               s.clock, Runner::Hooks{[&s](Failure f) { s.failure = f.what; }, [] {}});
   s.runner->set_calls_without_room(configuration.wants_calls_without_room());
   const Edge::End harness{0, 0, &s.attention, nullptr, &s.holder};
   const Edge::End tested{0, 1, &s.attention, nullptr, &s.link_holder};
@@ -115,18 +130,21 @@ Faults LinkHarness::configure() {
     if (s.input_formats[i].empty()) continue;
     const std::string& name = s.description.inputs[i].name;
     for (const Format& f : s.input_formats[i]) s.input_pools[i].push_back(s.add_pool(name, f, kBuffers));
-    s.input_edges[i] = std::make_unique<Edge>(name, s.input_depths[i], Policy::kBlock, harness, tested, s.clock);
+    s.input_edges[i] =
+        std::make_unique<Edge>(name, s.input_depths[i], Policy::kBlock, harness, tested, s.clock);
     s.runner->connect_input(static_cast<int>(i), *s.input_edges[i], false, true);
   }
   for (size_t i = 0; i < s.description.outputs.size(); ++i) {
     const PortDescription& port = s.description.outputs[i];
     if (s.output_connected[i]) {
-      s.output_edges[i] = std::make_unique<Edge>(port.name, s.output_depths[i], Policy::kBlock, tested, harness, s.clock);
+      s.output_edges[i] =
+          std::make_unique<Edge>(port.name, s.output_depths[i], Policy::kBlock, tested, harness, s.clock);
     }
     const auto preloaded = static_cast<size_t>(configuration.preloaded_buffers()[i]);
     std::vector<Pool*> pools;
     if (port.forwards.empty()) {
-      for (const Format& f : s.output_formats[i]) pools.push_back(s.add_pool(port.name, f, preloaded ? preloaded : kBuffers));
+      for (const Format& f : s.output_formats[i])
+        pools.push_back(s.add_pool(port.name, f, preloaded ? preloaded : kBuffers));
     }
     s.own_pools.insert(s.own_pools.end(), pools.begin(), pools.end());
     s.runner->connect_output(static_cast<int>(i), s.output_edges[i].get(), pools, preloaded > 0);
@@ -208,12 +226,24 @@ void LinkHarness::stop() {
   state_->runner->release_frames();
 }
 
-VirtualClock& LinkHarness::clock() { return state_->clock; }
-int64_t LinkHarness::wake_time_ns() const { return state_->runner->wake_time_ns(); }
-uint64_t LinkHarness::processed() const { return state_->runner->counters().processed.value(); }
-uint64_t LinkHarness::captured() const { return state_->runner->counters().captured.value(); }
-std::map<std::string, uint64_t> LinkHarness::dropped() const { return state_->runner->counters().dropped.by_reason(); }
-std::string LinkHarness::failure() const { return state_->failure; }
+VirtualClock& LinkHarness::clock() {
+  return state_->clock;
+}
+int64_t LinkHarness::wake_time_ns() const {
+  return state_->runner->wake_time_ns();
+}
+uint64_t LinkHarness::processed() const {
+  return state_->runner->counters().processed.value();
+}
+uint64_t LinkHarness::captured() const {
+  return state_->runner->counters().captured.value();
+}
+std::map<std::string, uint64_t> LinkHarness::dropped() const {
+  return state_->runner->counters().dropped.by_reason();
+}
+std::string LinkHarness::failure() const {
+  return state_->failure;
+}
 
 size_t LinkHarness::buffers_in_use() const {
   size_t count = 0;

@@ -1,6 +1,6 @@
 #pragma once
-// Runs one link alone, on one thread, without a chain: give it parameters, formats and frames, and look at what it
-// sends. For tests of links; the link is called by the very code that calls it in a chain.
+// Runs one link alone, on one thread, without a chain: give it parameters, formats and frames, and look at
+// what it sends. For tests of links; the link is called by the very code that calls it in a chain.
 //
 //   LinkHarness sync(make_sync());
 //   sync.parameter("delta_ms", 10);
@@ -31,7 +31,8 @@ struct Push {
   uint64_t sequence = 0;
   int64_t timestamp_ns = 0;
   int64_t captured_ns = 0;
-  std::function<void(int buffer, std::span<std::byte> bytes)> write;  // may be empty: the bytes are left as they are
+  std::function<void(int buffer, std::span<std::byte> bytes)> write =
+      {};               // may be empty: the bytes are left as they are
   bool absent = false;  // the frame was lost upstream
 };
 
@@ -53,7 +54,7 @@ class LinkHarness {
   void disconnect(const std::string& output_port);
   void output_depth(const std::string& output_port, int depth);
 
-  /// Calls the link's configure() and start().
+  /// Calls the link's configure() and start(); where a required input has no format, check() alone.
   Faults configure();
   const PortFormat& output_format(const std::string& port) const;
 

@@ -84,7 +84,7 @@ class Drawing {
       for (const auto& port : ports) n = std::max(n, port.name.size());
       return static_cast<double>(n);
     };
-    const double head = 7.6 * static_cast<double>(link.entry.name.size()) + 24;
+    const double head = 8.1 * static_cast<double>(link.entry.name.size()) + 24;
     const double type = 5.8 * static_cast<double>(link.entry.type.size()) + 24;
     const double ports = 5.8 * (longest(box.inputs) + longest(box.outputs)) + 40;
     return std::max({92.0, head, type, ports});

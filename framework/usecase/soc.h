@@ -14,7 +14,9 @@ struct SocCore {
   std::string name;  // "DSP1"
   std::string kind;  // "C66x", "A15", "M4", "EVE", "SGX"
   double clock_mhz = 0;
-  int count = 1;  // identical cores behind one name: A15 x2
+  int count = 1;      // identical cores behind one name: A15 x2
+  int spins = 200;    // how often the simulated core looks at its doorbell before it parks
+  bool parks = true;  // false: it never sleeps, which needs a CPU of its own
 };
 
 struct Soc {

@@ -7,13 +7,16 @@
 #include "algorithms/geometry/rig.h"
 #include "framework/link/call.h"
 #include "links/capture/frame_source.h"
+#include "links/image.h"
 #include "links/pacing.h"
 
 namespace svchain {
 
 namespace {
 
-std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
+std::string size_text(int width, int height) {
+  return std::to_string(width) + "x" + std::to_string(height);
+}
 
 std::optional<uint64_t> least(std::optional<uint64_t> a, std::optional<uint64_t> b) {
   if (!a || !b) return a ? a : b;
@@ -27,7 +30,8 @@ class Capture final : public Link {
     d.type = "capture";
     d.help = "Takes frames from the four cameras: files, videos, devices, streams or the simulated world";
     for (const std::string& camera : geometry::kCameraNames) {
-      d.outputs.push_back({.name = camera, .types = {"bgr8"}, .count = 1, .help = "frames of the " + camera + " camera"});
+      d.outputs.push_back(
+          {.name = camera, .types = {"bgr8"}, .count = 1, .help = "frames of the " + camera + " camera"});
     }
     return d;
   }
@@ -143,9 +147,7 @@ class Capture final : public Link {
   }
 
   std::optional<int64_t> read(Draft& draft, uint64_t set, int port) {
-    const Format& format = draft.format();
-    cv::Mat image(format.height_px, format.width_px, CV_8UC3, draft.bytes().data(),
-                  static_cast<size_t>(format.pitch_bytes));
+    cv::Mat image = bgr_picture(draft);
     return source_->read(set, static_cast<size_t>(port), image);
   }
 
@@ -157,6 +159,8 @@ class Capture final : public Link {
 
 }  // namespace
 
-std::unique_ptr<Link> make_capture() { return std::make_unique<Capture>(); }
+std::unique_ptr<Link> make_capture() {
+  return std::make_unique<Capture>();
+}
 
 }  // namespace svchain

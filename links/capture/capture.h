@@ -1,6 +1,6 @@
 #pragma once
-// Link "capture": the four cameras. Outputs front, right, rear, left, each bgr8. Settings "input" (SOURCE, contracts:
-// "The program") and "rig" (its image sizes have to be the source's; may be "").
+// Link "capture": the four cameras. Outputs front, right, rear, left, each bgr8. Settings "input" (SOURCE,
+// contracts: "The program") and "rig" (its image sizes have to be the source's; may be "").
 
 #include <memory>
 

@@ -1,9 +1,9 @@
 #pragma once
 // Where the four cameras' frames come from. Cameras are numbered as they are named: front, right, rear, left.
 //
-// Thread rule: made on the caller's thread; from start() to stop() only the capture's core calls it. One source feeds one
-// capture. Errors: what can be found beforehand is in open_source's faults; read() throws std::runtime_error that names
-// camera, frame and file.
+// Thread rule: made on the caller's thread; from start() to stop() only the capture's core calls it. One
+// source feeds one capture. Errors: what can be found beforehand is in open_source's faults; read() throws
+// std::runtime_error that names camera, frame and file.
 
 #include <array>
 #include <cstdint>
@@ -32,9 +32,9 @@ class FrameSource {
   virtual const SourceFacts& facts() const = 0;
 
   virtual void start() {}
-  /// Writes a camera's frame of a set into the picture (BGR8 of the camera's size, memory of the caller) and returns its
-  /// time stamp in ns from the first set; nothing where the camera has no frame for it. Sets are asked for in rising
-  /// order, not necessarily all of them.
+  /// Writes a camera's frame of a set into the picture (BGR8 of the camera's size, memory of the caller) and
+  /// returns its time stamp in ns from the first set; nothing where the camera has no frame for it. Sets are
+  /// asked for in rising order, not necessarily all of them.
   virtual std::optional<int64_t> read(uint64_t set, size_t camera, cv::Mat& into) = 0;
   /// Nothing will come any more, although `sets` did not say so.
   virtual bool ended() const { return false; }

@@ -46,7 +46,8 @@ bool ends_with_mark(std::ifstream& file, std::streamoff first, std::streamoff si
   return read_at(file, from, size - from).find(mark) != std::string::npos;
 }
 
-/// Where the compressed data of a JPEG begin: behind its headers, whose thumbnails have end marks of their own.
+/// Where the compressed data of a JPEG begin: behind its headers, whose thumbnails have end marks of their
+/// own.
 std::optional<std::streamoff> jpeg_scan(std::ifstream& file, std::streamoff size) {
   for (std::streamoff at = 2; at + 4 <= size;) {
     const std::string head = read_at(file, at, 4);

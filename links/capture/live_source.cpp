@@ -20,10 +20,12 @@ using Clock = std::chrono::steady_clock;
 constexpr int kTimeoutMs = 5000;  // network streams: for opening, and for a frame
 
 bool open(cv::VideoCapture& capture, const std::string& url) {
-  const bool number = !url.empty() && url.size() < 4 && std::all_of(url.begin(), url.end(), [](unsigned char c) { return std::isdigit(c); });
+  const bool number = !url.empty() && url.size() < 4 &&
+                      std::all_of(url.begin(), url.end(), [](unsigned char c) { return std::isdigit(c); });
   if (number) return capture.open(std::stoi(url));
-  return capture.open(url, cv::CAP_FFMPEG,
-                      {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, kTimeoutMs, cv::CAP_PROP_READ_TIMEOUT_MSEC, kTimeoutMs}) ||
+  return capture.open(
+             url, cv::CAP_FFMPEG,
+             {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, kTimeoutMs, cv::CAP_PROP_READ_TIMEOUT_MSEC, kTimeoutMs}) ||
          capture.open(url);
 }
 
@@ -108,14 +110,16 @@ class LiveSource final : public FrameSource {
     if (!time_ns) return std::nullopt;
     if (image.size() != into.size() || image.type() != into.type()) {
       throw std::runtime_error(geometry::kCameraNames[camera] + " frame " + std::to_string(set) + " is " +
-                               std::to_string(image.cols) + "x" + std::to_string(image.rows) + " px, expected " +
-                               std::to_string(into.cols) + "x" + std::to_string(into.rows));
+                               std::to_string(image.cols) + "x" + std::to_string(image.rows) +
+                               " px, expected " + std::to_string(into.cols) + "x" +
+                               std::to_string(into.rows));
     }
     image.copyTo(into);
     return time_ns;
   }
   bool ended() const override {
-    return std::all_of(cameras_.begin(), cameras_.end(), [](const LiveCamera& camera) { return camera.ended(); });
+    return std::all_of(cameras_.begin(), cameras_.end(),
+                       [](const LiveCamera& camera) { return camera.ended(); });
   }
 
  private:

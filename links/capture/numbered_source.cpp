@@ -14,7 +14,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string size_text(cv::Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
+std::string size_text(cv::Size size) {
+  return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
 
 /// The last run of digits in a name, without leading zeros: longer is larger, then the text decides.
 std::string number_in(const fs::path& path) {
@@ -46,7 +48,8 @@ std::vector<fs::path> frames_in(const fs::path& folder) {
 
 class NumberedSource final : public FrameSource {
  public:
-  NumberedSource(std::array<std::vector<fs::path>, kCameras> files, const std::array<cv::Size, kCameras>& sizes, double fps)
+  NumberedSource(std::array<std::vector<fs::path>, kCameras> files,
+                 const std::array<cv::Size, kCameras>& sizes, double fps)
       : fps_(fps), files_(std::move(files)) {
     facts_.size_px = sizes;
     facts_.sets = facts_.usual_sets = files_[0].size();
@@ -62,15 +65,16 @@ class NumberedSource final : public FrameSource {
       throw std::runtime_error(where(camera, set) + error.what());
     }
     if (image.size() != into.size()) {
-      throw std::runtime_error(where(camera, set) + "is " + size_text(image.size()) + " px, those before were " +
-                               size_text(into.size()));
+      throw std::runtime_error(where(camera, set) + "is " + size_text(image.size()) +
+                               " px, those before were " + size_text(into.size()));
     }
     return nominal_time_ns(set, fps_);
   }
 
  private:
   std::string where(size_t camera, uint64_t set) const {
-    return geometry::kCameraNames[camera] + " frame " + std::to_string(set) + ": " + files_[camera][set].string() + " ";
+    return geometry::kCameraNames[camera] + " frame " + std::to_string(set) + ": " +
+           files_[camera][set].string() + " ";
   }
 
   double fps_;
@@ -80,7 +84,8 @@ class NumberedSource final : public FrameSource {
 
 void check_files(const std::vector<fs::path>& files, cv::Size& first_size, Faults& faults) {
   for (const fs::path& file : files) {
-    if (const std::string damage = image_damage(file); !damage.empty()) faults.push_back({file.string(), {}, "", damage});
+    if (const std::string damage = image_damage(file); !damage.empty())
+      faults.push_back({file.string(), {}, "", damage});
   }
   if (!faults.empty()) return;
   try {
@@ -102,15 +107,18 @@ Result<std::unique_ptr<FrameSource>> open_numbered(const SourceFolder& folder, c
     Faults found;
     files[c] = frames_in(folder.paths[c]);
     if (files[c].empty()) {
-      found.push_back({folder.paths[c].string(), {}, "", "holds no frames, expected images such as 000000.png"});
+      found.push_back(
+          {folder.paths[c].string(), {}, "", "holds no frames, expected images such as 000000.png"});
     } else {
       check_files(files[c], sizes[c], found);
     }
     faults.insert(faults.end(), found.begin(), found.end());
     if (found.empty() && !files[0].empty() && files[c].size() != files[0].size()) {
-      faults.push_back({folder.paths[c].string(), {}, "",
-                        geometry::kCameraNames[c] + " has " + std::to_string(files[c].size()) + " frames, front has " +
-                            std::to_string(files[0].size())});
+      faults.push_back({folder.paths[c].string(),
+                        {},
+                        "",
+                        geometry::kCameraNames[c] + " has " + std::to_string(files[c].size()) +
+                            " frames, front has " + std::to_string(files[0].size())});
     }
   }
   if (!faults.empty()) return tl::unexpected(faults);

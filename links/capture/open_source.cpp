@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/core/utils/logger.hpp>
 #include <utility>
 #include <vector>
 
@@ -15,6 +14,7 @@
 #include "links/capture/source_folder.h"
 #include "links/capture/stills_source.h"
 #include "links/capture/video_source.h"
+#include "links/quiet_opencv.h"
 
 namespace svchain {
 
@@ -29,7 +29,8 @@ struct NamedUrl {
 bool starts_a_camera(std::string_view text) {
   const std::string name(text.substr(0, text.find('=')));
   const auto& cameras = geometry::kCameraNames;
-  return name.size() < text.size() && (name == "back" || std::count(cameras.begin(), cameras.end(), name) > 0);
+  return name.size() < text.size() &&
+         (name == "back" || std::count(cameras.begin(), cameras.end(), name) > 0);
 }
 
 /// Splits at commas that a word and = follow directly: URLs may have commas themselves.
@@ -87,9 +88,12 @@ Result<std::unique_ptr<FrameSource>> open_folder(const std::string& path, const 
 
 }  // namespace
 
-bool is_live_source(const std::string& source) { return starts_a_camera(source); }
+bool is_live_source(const std::string& source) {
+  return starts_a_camera(source);
+}
 
 std::optional<double> source_fps(const std::string& source) {
+  quiet_opencv();
   if (source.starts_with(kSimulated)) {
     const auto path = find_scene(source.substr(kSimulated.size()));
     const auto scene = path ? scene::read_scene(*path) : tl::unexpected(path.error());
@@ -101,15 +105,17 @@ std::optional<double> source_fps(const std::string& source) {
 }
 
 Result<std::unique_ptr<FrameSource>> open_source(const std::string& source, const SourceRequest& request) {
-  // What goes wrong is reported once, by us.
-  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  quiet_opencv();
   if (source.empty()) {
-    return fail("input", "is empty, expected a directory, simulated:SCENE, or front=URL,right=URL,rear=URL,left=URL");
+    return fail("input",
+                "is empty, expected a directory, simulated:SCENE, or front=URL,right=URL,rear=URL,left=URL");
   }
   if (source.starts_with(kSimulated)) return open_simulated(source.substr(kSimulated.size()), request);
   return is_live_source(source) ? open_named(source) : open_folder(source, request);
 }
 
-int64_t nominal_time_ns(uint64_t set, double fps) { return std::llround(static_cast<double>(set) * 1e9 / fps); }
+int64_t nominal_time_ns(uint64_t set, double fps) {
+  return std::llround(static_cast<double>(set) * 1e9 / fps);
+}
 
 }  // namespace svchain

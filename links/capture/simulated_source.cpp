@@ -42,7 +42,8 @@ class SimulatedSource final : public FrameSource {
 std::vector<std::string> scene_names() {
   std::vector<std::string> names;
   std::error_code failed;
-  for (fs::directory_iterator at(configs_folder() / "scenes", failed), end; !failed && at != end; at.increment(failed)) {
+  for (fs::directory_iterator at(configs_folder() / "scenes", failed), end; !failed && at != end;
+       at.increment(failed)) {
     if (at->path().extension() == ".json") names.push_back(at->path().stem().string());
   }
   std::sort(names.begin(), names.end());
@@ -57,9 +58,9 @@ Result<fs::path> find_scene(const std::string& scene) {
   if (!scene.empty() && fs::is_regular_file(shipped, ignored)) return shipped;
   if (fs::is_regular_file(scene, ignored)) return fs::path(scene);
   const std::vector<std::string> names = scene_names();
-  return fail("simulated:" + scene, "no such scene or file" + did_you_mean(scene, names) + "; there is " +
-                                        (names.empty() ? "none in " + (configs_folder() / "scenes").string()
-                                                       : spoken_list(names)));
+  return fail("simulated:" + scene,
+              "no such scene or file" + did_you_mean(scene, names) + "; there is " +
+                  (names.empty() ? "none in " + (configs_folder() / "scenes").string() : spoken_list(names)));
 }
 
 Result<std::unique_ptr<FrameSource>> open_simulated(const std::string& scene, const SourceRequest& request) {

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::set<std::string> kVideoExtensions = {".mp4", ".mkv", ".avi", ".mov", ".m4v",
+const std::set<std::string> kVideoExtensions = {".mp4", ".mkv", ".avi",  ".mov", ".m4v",
                                                 ".ts",  ".mpg", ".mpeg", ".webm"};
 
 std::string lower(std::string text) {
@@ -75,10 +75,11 @@ std::string missing_text(const std::string& camera, const fs::path& folder, cons
     return camera + ": " + found.other.front().filename().string() +
            " is neither an image (.png, .jpg, .jpeg, .bmp), a video nor a folder of numbered frames";
   }
-  std::string text = "nothing for camera \"" + camera + "\", expected " + camera + ".png (.jpg, .bmp), " + camera +
-                     ".mp4 or a folder " + camera + "/";
+  std::string text = "nothing for camera \"" + camera + "\", expected " + camera + ".png (.jpg, .bmp), " +
+                     camera + ".mp4 or a folder " + camera + "/";
   std::error_code ignored;
-  if (fs::is_directory(folder / "images", ignored)) text += "; did you mean \"" + (folder / "images").string() + "\"?";
+  if (fs::is_directory(folder / "images", ignored))
+    text += "; did you mean \"" + (folder / "images").string() + "\"?";
   return text;
 }
 
@@ -99,7 +100,9 @@ Result<SourceFolder> look_into_folder(const fs::path& folder) {
     if (found.usable.empty()) {
       faults.push_back({folder.string(), {}, "", missing_text(camera, folder, found)});
     } else if (found.usable.size() > 1) {
-      faults.push_back({folder.string(), {}, "",
+      faults.push_back({folder.string(),
+                        {},
+                        "",
                         camera + ": both " + found.usable[0].filename().string() + " and " +
                             found.usable[1].filename().string() + " are there, expected one of them"});
     } else {
@@ -111,9 +114,11 @@ Result<SourceFolder> look_into_folder(const fs::path& folder) {
   for (size_t c = 1; c < kCameras; ++c) {
     const FolderKind kind = *kind_of(source.paths[c]);
     if (kind == source.kind) continue;
-    faults.push_back({folder.string(), {}, "",
-                      geometry::kCameraNames[c] + " is " + spoken(kind) + ", but front is " + spoken(source.kind) +
-                          ": all four have to be of one kind"});
+    faults.push_back({folder.string(),
+                      {},
+                      "",
+                      geometry::kCameraNames[c] + " is " + spoken(kind) + ", but front is " +
+                          spoken(source.kind) + ": all four have to be of one kind"});
   }
   if (!faults.empty()) return tl::unexpected(faults);
   return source;

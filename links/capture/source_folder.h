@@ -1,5 +1,6 @@
 #pragma once
-// What a directory has for each camera: a still, a folder of numbered frames, or a video; "back" is taken for "rear".
+// What a directory has for each camera: a still, a folder of numbered frames, or a video; "back" is taken for
+// "rear".
 
 #include <array>
 #include <filesystem>

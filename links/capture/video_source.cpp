@@ -48,8 +48,8 @@ class VideoSource final : public FrameSource {
     if (!there || !video.capture.retrieve(image) || image.empty()) return end_of(camera, set);
     if (image.size() != into.size() || image.type() != into.type()) {
       throw std::runtime_error(where(camera, set) + "is " + std::to_string(image.cols) + "x" +
-                               std::to_string(image.rows) + " px, expected " + std::to_string(into.cols) + "x" +
-                               std::to_string(into.rows));
+                               std::to_string(image.rows) + " px, expected " + std::to_string(into.cols) +
+                               "x" + std::to_string(into.rows));
     }
     if (image.data != into.data) image.copyTo(into);
     return nominal_time_ns(set, fps_);
@@ -65,7 +65,8 @@ class VideoSource final : public FrameSource {
     return std::nullopt;
   }
   std::string where(size_t camera, uint64_t set) const {
-    return geometry::kCameraNames[camera] + " frame " + std::to_string(set) + ": " + videos_[camera].path.string() + " ";
+    return geometry::kCameraNames[camera] + " frame " + std::to_string(set) + ": " +
+           videos_[camera].path.string() + " ";
   }
 
   double fps_;
@@ -91,9 +92,11 @@ Result<std::unique_ptr<FrameSource>> open_videos(const SourceFolder& folder, con
   for (size_t c = 1; c < kCameras; ++c) {
     const auto length = length_of(videos[c].capture);
     if (front && length && *length != *front) {
-      faults.push_back({folder.paths[c].string(), {}, "",
-                        geometry::kCameraNames[c] + " has " + std::to_string(*length) + " frames, front has " +
-                            std::to_string(*front)});
+      faults.push_back({folder.paths[c].string(),
+                        {},
+                        "",
+                        geometry::kCameraNames[c] + " has " + std::to_string(*length) +
+                            " frames, front has " + std::to_string(*front)});
     }
   }
   if (!faults.empty()) return tl::unexpected(faults);

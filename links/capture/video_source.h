@@ -1,6 +1,6 @@
 #pragma once
-// A video file for each camera, to their end. What its container says of size and length is believed until it shows to
-// be wrong: then read() throws.
+// A video file for each camera, to their end. What its container says of size and length is believed until it
+// shows to be wrong: then read() throws.
 
 #include "links/capture/frame_source.h"
 #include "links/capture/source_folder.h"

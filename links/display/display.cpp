@@ -26,11 +26,17 @@ class Display final : public Link {
     output_ = configuration.setting("output").text("value");
     hash_.reset();
     if (configuration.parameters().flag("sha256")) hash_.emplace();
-    if (configuration.input(0).empty()) return;  // what comes in is not known: its own fault is reported
     auto writer = make_writer(output_, {configuration.input(0).front(), configuration.pace().fps});
     if (!writer) return configuration.faults(writer.error());
     writer_ = std::move(*writer);
     if (writer_) configuration.holds(0, writer_->holds());
+  }
+
+  void check(Configuration& configuration) override {
+    const std::string output = configuration.setting("output").text("value");
+    const Format any_size = Format::bgr8(64, 64);  // serves to find the faults of the path
+    const auto writer = make_writer(output, {any_size, configuration.pace().fps});
+    if (!writer) configuration.faults(writer.error());
   }
 
   void process(Call& call) override {
@@ -62,6 +68,8 @@ class Display final : public Link {
 
 }  // namespace
 
-std::unique_ptr<Link> make_display() { return std::make_unique<Display>(); }
+std::unique_ptr<Link> make_display() {
+  return std::make_unique<Display>();
+}
 
 }  // namespace svchain

@@ -1,7 +1,8 @@
 #pragma once
-// Where delivered frames (bgr8) go: a picture, a video, a folder of pictures, a window. Nothing half-written is ever to be
-// seen: files are written under another name in the same folder and get theirs in finish(); without it, or with no frame,
-// nothing is left. Belongs to the display's core. write() and finish() throw std::runtime_error that names the file.
+// Where delivered frames (bgr8) go: a picture, a video, a folder of pictures, a window. Nothing half-written
+// is ever to be seen: files are written under another name in the same folder and get theirs in finish();
+// without it, or with no frame, nothing is left. Belongs to the display's core. write() and finish() throw
+// std::runtime_error that names the file.
 
 #include <filesystem>
 #include <memory>
@@ -26,8 +27,8 @@ struct WriterRequest {
   double fps = 30;
 };
 
-/// PATH as on the command line: `.png`, `.mp4`, `.mkv`, a directory, `window` or `none` (then the writer is null). What
-/// cannot be written is found here.
+/// PATH as on the command line: `.png`, `.mp4`, `.mkv`, a directory, `window` or `none` (then the writer is
+/// null). What cannot be written is found here.
 Result<std::unique_ptr<FrameWriter>> make_writer(const std::string& output, const WriterRequest& request);
 
 }  // namespace svchain

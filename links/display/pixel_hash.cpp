@@ -1,9 +1,8 @@
 #include "links/display/pixel_hash.h"
 
-#include <openssl/evp.h>
-
 #include <array>
 #include <cstdio>
+#include <openssl/evp.h>
 #include <stdexcept>
 
 namespace svchain {

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "links/display/picture_of.h"
 #include "links/display/temporary_file.h"
+#include "links/image.h"
 
 namespace svchain {
 
@@ -34,7 +34,7 @@ class LastFrameWriter final : public FrameWriter {
   void finish() override {
     if (!last_) return;
     std::vector<uchar> encoded;
-    write_png(file_, picture_of(last_), encoded);
+    write_png(file_, bgr_picture(last_), encoded);
     last_.release();
   }
 
@@ -51,7 +51,7 @@ class FolderWriter final : public FrameWriter {
     if (count_ == 0) make_folder();
     char name[32];
     std::snprintf(name, sizeof(name), "%06llu.png", static_cast<unsigned long long>(count_++));
-    write_png(folder_ / name, picture_of(frame), encoded_);
+    write_png(folder_ / name, bgr_picture(frame), encoded_);
   }
 
  private:

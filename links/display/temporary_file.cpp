@@ -1,10 +1,9 @@
 #include "links/display/temporary_file.h"
 
-#include <unistd.h>
-
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <unistd.h>
 
 namespace svchain {
 
@@ -15,7 +14,9 @@ TemporaryFile::TemporaryFile(fs::path target) : target_(std::move(target)) {
   path_ = target_.parent_path() / (name + target_.extension().string());
 }
 
-TemporaryFile::~TemporaryFile() { remove(); }
+TemporaryFile::~TemporaryFile() {
+  remove();
+}
 
 void TemporaryFile::keep() {
   std::error_code failed;

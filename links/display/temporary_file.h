@@ -1,5 +1,6 @@
 #pragma once
-// A file under another name in the same folder, which gets its own name when it is complete, and is removed otherwise.
+// A file under another name in the same folder, which gets its own name when it is complete, and is removed
+// otherwise.
 
 #include <filesystem>
 

@@ -1,11 +1,11 @@
 #include "links/display/video_writer.h"
 
-#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/videoio.hpp>
 #include <stdexcept>
 
-#include "links/display/picture_of.h"
 #include "links/display/temporary_file.h"
+#include "links/image.h"
+#include "links/quiet_opencv.h"
 
 namespace svchain {
 
@@ -20,7 +20,8 @@ class VideoWriter final : public FrameWriter {
 
   bool open() {
     const bool lossless = temporary_.target().extension() == ".mkv";
-    const int codec = lossless ? cv::VideoWriter::fourcc('F', 'F', 'V', '1') : cv::VideoWriter::fourcc('a', 'v', 'c', '1');
+    const int codec =
+        lossless ? cv::VideoWriter::fourcc('F', 'F', 'V', '1') : cv::VideoWriter::fourcc('a', 'v', 'c', '1');
     return writer_.open(temporary_.path().string(), cv::CAP_FFMPEG, codec, fps_, size_);
   }
   void discard() {
@@ -32,7 +33,7 @@ class VideoWriter final : public FrameWriter {
     if (!writer_.isOpened() && !open()) {
       throw std::runtime_error(temporary_.target().string() + " cannot be opened for writing");
     }
-    writer_.write(picture_of(frame));
+    writer_.write(bgr_picture(frame));
     ++count_;
   }
 
@@ -61,14 +62,16 @@ class VideoWriter final : public FrameWriter {
 Result<std::unique_ptr<FrameWriter>> make_video_writer(const fs::path& file, const WriterRequest& request) {
   const Format& format = request.format;
   if (format.width_px % 2 != 0 || format.height_px % 2 != 0) {
-    return fail(file.string(), "a video needs an even width and height, the view is " + std::to_string(format.width_px) +
-                                   "x" + std::to_string(format.height_px) + " px; a directory or .png takes any");
+    return fail(file.string(), "a video needs an even width and height, the view is " +
+                                   std::to_string(format.width_px) + "x" + std::to_string(format.height_px) +
+                                   " px; a directory or .png takes any");
   }
-  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  quiet_opencv();
   auto writer = std::make_unique<VideoWriter>(file, request);
   const bool can = writer->open();
   writer->discard();
-  if (!can) return fail(file.string(), "no encoder for " + file.extension().string() + " videos could be opened");
+  if (!can)
+    return fail(file.string(), "no encoder for " + file.extension().string() + " videos could be opened");
   return writer;
 }
 

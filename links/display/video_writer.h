@@ -6,6 +6,7 @@
 namespace svchain {
 
 /// Tries whether the encoder is there.
-Result<std::unique_ptr<FrameWriter>> make_video_writer(const std::filesystem::path& file, const WriterRequest& request);
+Result<std::unique_ptr<FrameWriter>> make_video_writer(const std::filesystem::path& file,
+                                                       const WriterRequest& request);
 
 }  // namespace svchain

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <opencv2/highgui.hpp>
 
-#include "links/display/picture_of.h"
+#include "links/image.h"
 
 namespace svchain {
 
@@ -14,7 +14,7 @@ constexpr const char* kTitle = "svchain";
 class WindowWriter final : public FrameWriter {
  public:
   void write(Frame&& frame) override {
-    cv::imshow(kTitle, picture_of(frame));
+    cv::imshow(kTitle, bgr_picture(frame));
     cv::waitKey(1);  // lets the window draw itself
     shown_ = true;
   }

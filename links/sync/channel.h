@@ -1,5 +1,6 @@
 #pragma once
-// One camera's side of a sync: the frames that wait, what came last, what was dropped and why. Belongs to its link's core.
+// One camera's side of a sync: the frames that wait, what came last, what was dropped and why. Belongs to its
+// link's core.
 
 #include <array>
 #include <cstdint>
@@ -10,15 +11,15 @@
 namespace svchain {
 
 enum class DropReason {
-  kTooOld,          // behind the median of the cameras by more than delta
-  kWildTimestamp,   // far from all the others, or ahead of the same camera's next frame
-  kDuplicate,       // the same time stamp again
-  kQueueFull,       // waited in vain
-  kIncompleteSet,   // its set was given up for another camera's sake
+  kTooOld,         // behind the median of the cameras by more than delta
+  kWildTimestamp,  // far from all the others, or ahead of the same camera's next frame
+  kDuplicate,      // the same time stamp again
+  kQueueFull,      // waited in vain
+  kIncompleteSet,  // its set was given up for another camera's sake
 };
 constexpr size_t kDropReasons = 5;
-inline constexpr std::array<const char*, kDropReasons> kDropReasonNames = {"too_old", "wild_timestamp", "duplicate",
-                                                                           "queue_full", "incomplete_set"};
+inline constexpr std::array<const char*, kDropReasons> kDropReasonNames = {
+    "too_old", "wild_timestamp", "duplicate", "queue_full", "incomplete_set"};
 
 struct Channel {
   FrameQueue queue;

@@ -25,10 +25,11 @@ struct Times {
   int64_t median() const { return lower_median() + (upper_median() - lower_median()) / 2; }
 };
 
-/// Nothing has come from it while the others have gone on by two frames each and by more than the threshold, or have
-/// filled a queue with waiting.
+/// Nothing has come from it while the others have gone on by two frames each and by more than the threshold,
+/// or have filled a queue with waiting.
 bool is_gone(const Channels& channels, size_t waited_for, const MatchingRule& rule, int64_t first_ns) {
-  if (std::any_of(channels.begin(), channels.end(), [](const Channel& c) { return c.queue.full(); })) return true;
+  if (std::any_of(channels.begin(), channels.end(), [](const Channel& c) { return c.queue.full(); }))
+    return true;
   Times newest;
   for (const Channel& channel : channels) {
     if (channel.queue.size() == 1) return false;

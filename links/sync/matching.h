@@ -1,10 +1,10 @@
 #pragma once
-// Which frames of four cameras belong together. Looks at nothing but time stamps and the order of arrival, never at a
-// clock: the same frames always make the same sets. Pure function.
+// Which frames of four cameras belong together. Looks at nothing but time stamps and the order of arrival,
+// never at a clock: the same frames always make the same sets. Pure function.
 //
-// The heads of the queues are compared with their median (after the Vision SDK's Sync link, whose mean one wild time
-// stamp could pull anywhere). Heads within +- delta of it make a set; an older one is dropped, as nothing will match it any
-// more; a newer one stays for a later set, and its camera is missing from this one.
+// The heads of the queues are compared with their median (after the Vision SDK's Sync link, whose mean one
+// wild time stamp could pull anywhere). Heads within +- delta of it make a set; an older one is dropped, as
+// nothing will match it any more; a newer one stays for a later set, and its camera is missing from this one.
 
 #include "links/sync/channel.h"
 

@@ -21,7 +21,9 @@ uint64_t SetLedger::settle(uint64_t sequence) {
   return never;
 }
 
-uint64_t SetLedger::settle_all() { return open_.empty() ? std::exchange(overflown_, 0) : settle(open_.back()) + 1; }
+uint64_t SetLedger::settle_all() {
+  return open_.empty() ? std::exchange(overflown_, 0) : settle(open_.back()) + 1;
+}
 
 uint64_t SetLedger::forget_before(uint64_t sequence) {
   const auto end = std::lower_bound(open_.begin(), open_.end(), sequence);

@@ -1,7 +1,7 @@
 #pragma once
-// Which sets have been seen in part and not yet been made, so that every set is accounted for once: made, or dropped.
-// Numbers missing altogether (dropped at the capture and counted there) are no business of it. Belongs to its link's
-// core; allocates at construction only.
+// Which sets have been seen in part and not yet been made, so that every set is accounted for once: made, or
+// dropped. Numbers missing altogether (dropped at the capture and counted there) are no business of it.
+// Belongs to its link's core; allocates at construction only.
 
 #include <cstddef>
 #include <cstdint>

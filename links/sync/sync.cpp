@@ -15,7 +15,9 @@ namespace {
 
 constexpr const char* kIncomplete = "sync_incomplete";
 
-int64_t ns_from_ms(double ms) { return std::llround(ms * 1e6); }
+int64_t ns_from_ms(double ms) {
+  return std::llround(ms * 1e6);
+}
 
 class Sync final : public Link {
  public:
@@ -29,9 +31,11 @@ class Sync final : public Link {
     d.outputs = {{.name = "frames", .count = 4, .forwards = geometry::kCameraNames, .help = "sets of four"}};
     d.parameters = {
         number("delta_ms", 10, {0, 1e4}, "ms", "frames of a set are at most so far from its median time"),
-        number("threshold_ms", 100, {1, 1e5}, "ms", "a camera that the others have left behind by more is gone"),
+        number("threshold_ms", 100, {1, 1e5}, "ms",
+               "a camera that the others have left behind by more is gone"),
         integer("queue", 10, {2, 64}, "frames", "frames of a camera that may wait for the others"),
-        choice("missing", "repeat", {"repeat", "skip"}, "what becomes of a set when a camera has nothing for it"),
+        choice("missing", "repeat", {"repeat", "skip"},
+               "what becomes of a set when a camera has nothing for it"),
     };
     d.trigger = Trigger::kAny;
     return d;
@@ -68,7 +72,8 @@ class Sync final : public Link {
   bool finish(Call& call) override {
     rule_.all_have_come = true;
     send_sets(call);
-    const bool empty = std::all_of(channels_.begin(), channels_.end(), [](const Channel& c) { return c.queue.empty(); });
+    const bool empty =
+        std::all_of(channels_.begin(), channels_.end(), [](const Channel& c) { return c.queue.empty(); });
     if (empty) count(call, ledger_.settle_all());
     return empty;
   }
@@ -129,7 +134,8 @@ class Sync final : public Link {
   void make_set(Call& call, const Decision& decision) {
     const uint64_t sequence = std::max(ledger_.next(), channels_[decision.channel].queue.front().sequence());
     count(call, ledger_.settle(sequence));
-    const bool complete = std::all_of(decision.fresh.begin(), decision.fresh.end(), [](bool fresh) { return fresh; });
+    const bool complete =
+        std::all_of(decision.fresh.begin(), decision.fresh.end(), [](bool fresh) { return fresh; });
     if (!complete && !repeat_) return give_up(call, decision);
     Frame set;
     int64_t captured_ns = channels_[decision.channel].queue.front().captured_ns();
@@ -167,8 +173,8 @@ class Sync final : public Link {
     if (reason == DropReason::kWildTimestamp) channel.last_time_ns = time_ns;
   }
 
-  /// Takes the head out of the queue, keeping what may have to be repeated: of dropped frames too, being the newest
-  /// picture that the camera has given.
+  /// Takes the head out of the queue, keeping what may have to be repeated: of dropped frames too, being the
+  /// newest picture that the camera has given.
   Frame leave(Channel& channel) {
     Frame frame = channel.queue.pop();
     channel.last_time_ns = frame.timestamp_ns();
@@ -190,6 +196,8 @@ class Sync final : public Link {
 
 }  // namespace
 
-std::unique_ptr<Link> make_sync() { return std::make_unique<Sync>(); }
+std::unique_ptr<Link> make_sync() {
+  return std::make_unique<Sync>();
+}
 
 }  // namespace svchain

@@ -1,7 +1,8 @@
 #pragma once
-// Link "sync": frames of four cameras that were taken at the same moment become sets of four (matching.h says which).
-// A camera that is missing from a set is dealt with by the parameter `missing`: "repeat" puts in the newest frame that it
-// has given (or leaves its place empty, if there was none), "skip" gives the set up until it is back.
+// Link "sync": frames of four cameras that were taken at the same moment become sets of four (matching.h says
+// which). A camera that is missing from a set is dealt with by the parameter `missing`: "repeat" puts in the
+// newest frame that it has given (or leaves its place empty, if there was none), "skip" gives the set up
+// until it is back.
 
 #include <memory>
 

@@ -13,7 +13,9 @@
 
 namespace svchain::testing {
 
-inline Format number_format() { return Format::table("number", sizeof(int64_t)); }
+inline Format number_format() {
+  return Format::table("number", sizeof(int64_t));
+}
 
 inline int64_t value_of(const Frame& frame) {
   int64_t v;
@@ -126,7 +128,8 @@ class Join : public Link {
   LinkDescription describe() const override {
     LinkDescription d;
     d.type = "join";
-    d.inputs = {{.name = "a", .types = {"number"}, .count = 1}, {.name = "b", .types = {"number"}, .count = 1}};
+    d.inputs = {{.name = "a", .types = {"number"}, .count = 1},
+                {.name = "b", .types = {"number"}, .count = 1}};
     d.outputs = {{.name = "out", .types = {"number"}, .count = 1}};
     return d;
   }
@@ -144,7 +147,8 @@ class Loop : public Link {
     d.type = "loop";
     d.inputs = {{.name = "in", .types = {"number"}, .count = 1},
                 {.name = "feedback", .types = {"number"}, .count = 1, .optional = true}};
-    d.outputs = {{.name = "out", .types = {"number"}, .count = 1}, {.name = "echo", .types = {"number"}, .count = 1}};
+    d.outputs = {{.name = "out", .types = {"number"}, .count = 1},
+                 {.name = "echo", .types = {"number"}, .count = 1}};
     return d;
   }
   void configure(Configuration& c) override {
@@ -166,7 +170,8 @@ class Loop : public Link {
 /// Keeps what it sees in the vector it is given; delivers.
 class Collect : public Link {
  public:
-  explicit Collect(std::vector<int64_t>* seen, std::vector<const void*>* where) : seen_(seen), where_(where) {}
+  explicit Collect(std::vector<int64_t>* seen, std::vector<const void*>* where)
+      : seen_(seen), where_(where) {}
   LinkDescription describe() const override {
     LinkDescription d;
     d.type = "collect";
@@ -206,15 +211,14 @@ struct Fakes {
     catalogue.add([this] { return std::make_unique<Collect>(&seen, &where); });
   }
 
-  static constexpr const char* kSoc =
-      R"({"name":"duo","cores":{"A":{"kind":"M4"},"B":{"kind":"C66x"}},"roles":{"host":"A"}})";
+  std::string soc = R"({"name":"duo","cores":{"A":{"kind":"M4"},"B":{"kind":"C66x"}},"roles":{"host":"A"}})";
 
   Plan plan(const std::string& use_case) const {
     auto read = parse_use_case(use_case, "test.json", catalogue);
     if (!read) throw std::runtime_error(read.error().front().text());
-    auto soc = parse_soc(kSoc, "duo.json");
-    if (!soc) throw std::runtime_error(soc.error().front().text());
-    auto made = make_plan(std::move(*read), std::move(*soc), catalogue);
+    auto cores = parse_soc(soc, "duo.json");
+    if (!cores) throw std::runtime_error(cores.error().front().text());
+    auto made = make_plan(std::move(*read), std::move(*cores), catalogue);
     if (!made) throw std::runtime_error(made.error().front().text());
     return std::move(*made);
   }
@@ -244,7 +248,8 @@ inline std::string line(const std::string& add_params = "{}", const std::string&
 inline std::string loop(const std::string& tail_core, const std::string& add_params = R"({"plus":500})",
                         const std::string& extra_of_add = "") {
   return R"({"name":"loop","links":{"numbers":{"type":"numbers","core":"A"},"loop":{"type":"loop","core":"B"},
-    "add":{"type":"add","core":")" + tail_core + R"(","params":)" + add_params + extra_of_add +
+    "add":{"type":"add","core":")" +
+         tail_core + R"(","params":)" + add_params + extra_of_add +
          R"(},"collect":{"type":"collect","core":"A"}},
     "edges":["numbers.out -> loop.in","loop.out -> collect.in","loop.echo -> add.in",
       {"from":"add.out","to":"loop.feedback","feedback":true}]})";

@@ -20,7 +20,9 @@ std::string faults_of(const std::string& source, const std::string& rig = "") {
   return text_of(capture.configure());
 }
 
-std::string faults_of(const TemporaryFolder& folder) { return faults_of(folder.path().string()); }
+std::string faults_of(const TemporaryFolder& folder) {
+  return faults_of(folder.path().string());
+}
 
 }  // namespace
 
@@ -32,7 +34,8 @@ TEST_CASE("all cameras that are missing are named at once") {
   TemporaryFolder folder;
   write_picture(folder.path() / "front.png", numbered_picture(0, 0));
   write_picture(folder.path() / "left.png", numbered_picture(3, 0));
-  CHECK_THAT(faults_of(folder), Contains("camera \"right\"") && Contains("camera \"rear\"") && !Contains("\"left\""));
+  CHECK_THAT(faults_of(folder),
+             Contains("camera \"right\"") && Contains("camera \"rear\"") && !Contains("\"left\""));
 }
 
 TEST_CASE("a file of an odd type is named") {
@@ -86,8 +89,10 @@ TEST_CASE("a file that is empty, of another kind or damaged inside is found") {
   write_stills(folder.path());
   std::ofstream(folder.path() / "front.png", std::ios::trunc);
   std::ofstream(folder.path() / "right.png", std::ios::trunc) << "not a picture at all";
-  std::fstream(folder.path() / "rear.png", std::ios::in | std::ios::out | std::ios::binary).seekp(40) << "scribbled over";
-  CHECK_THAT(faults_of(folder), Contains("front.png: error: is empty") && Contains("right.png: error: holds no PNG") &&
+  std::fstream(folder.path() / "rear.png", std::ios::in | std::ios::out | std::ios::binary).seekp(40)
+      << "scribbled over";
+  CHECK_THAT(faults_of(folder), Contains("front.png: error: is empty") &&
+                                    Contains("right.png: error: holds no PNG") &&
                                     Contains("rear.png: error: is damaged"));
 }
 
@@ -126,7 +131,8 @@ TEST_CASE("a numbered frame of another size stops the run with camera, frame and
 
 TEST_CASE("a video that cannot be opened is named") {
   TemporaryFolder folder;
-  for (const char* camera : {"front", "right", "rear"}) write_video(folder.path() / (std::string(camera) + ".mkv"), 0, 2);
+  for (const char* camera : {"front", "right", "rear"})
+    write_video(folder.path() / (std::string(camera) + ".mkv"), 0, 2);
   std::ofstream(folder.path() / "left.mp4") << "no video";
   CHECK_THAT(faults_of(folder), Contains("left.mp4") && Contains("cannot be opened"));
 }
@@ -140,7 +146,8 @@ TEST_CASE("a video that ends before its container's count stops the run") {
   CaptureAlone capture(folder.path().string());
   const std::string faults = text_of(capture.configure());
   capture.run();
-  // Containers that keep their count at the end lose it with the cut: then the difference is found beforehand.
+  // Containers that keep their count at the end lose it with the cut: then the difference is found
+  // beforehand.
   CHECK_THAT(faults + capture.failure(), Contains("rear") && Contains("frames"));
 }
 
@@ -151,8 +158,9 @@ TEST_CASE("pictures have to have the size that the rig says") {
   const std::string camera = R"({"image_size_px":[1280,720],
     "lens":{"model":"kannala_brandt","focal_px":[330,330],"centre_px":[639.5,359.5],"k":[0,0,0,0]},
     "vehicle_from_camera":{"translation_m":[2.4,0,0.7],"quaternion_xyzw":[-0.5,0.5,-0.5,0.5]}})";
-  std::ofstream(rig) << R"({"vehicle":{"length_m":4.8,"width_m":1.9},"cameras":{"front":)" << camera << R"(,"right":)"
-                     << camera << R"(,"rear":)" << camera << R"(,"left":)" << camera << "}}";
+  std::ofstream(rig) << R"({"vehicle":{"length_m":4.8,"width_m":1.9},"cameras":{"front":)" << camera
+                     << R"(,"right":)" << camera << R"(,"rear":)" << camera << R"(,"left":)" << camera
+                     << "}}";
   CHECK_THAT(faults_of(folder.path().string(), rig.string()),
              Contains("\"front\" are 8x6 px") && Contains("\"left\" are 8x6 px") && Contains("1280x720"));
 }

@@ -10,7 +10,8 @@
 namespace svchain::testing {
 
 struct CaptureAlone : LinkHarness {
-  explicit CaptureAlone(const std::string& source, const std::string& rig = "") : LinkHarness(make_capture()) {
+  explicit CaptureAlone(const std::string& source, const std::string& rig = "")
+      : LinkHarness(make_capture()) {
     setting("input", source);
     setting("rig", rig);
   }

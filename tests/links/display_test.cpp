@@ -1,13 +1,13 @@
-#include <openssl/evp.h>
+#include "links/display/display.h"
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
+#include <openssl/evp.h>
 
 #include "framework/testing/harness.h"
-#include "links/display/display.h"
 #include "tests/catch.h"
 #include "tests/links/pictures.h"
 #include "tests/test_data.h"
@@ -30,11 +30,12 @@ struct DisplayAlone : LinkHarness {
 };
 
 void push(LinkHarness& display, int n, cv::Size size = kSize) {
-  display.push("frames", {.sequence = static_cast<uint64_t>(n), .write = [&](int, std::span<std::byte> bytes) {
-                            const auto pitch = static_cast<size_t>(Format::bgr8(size.width, size.height).pitch_bytes);
-                            cv::Mat target(size, CV_8UC3, bytes.data(), pitch);
-                            numbered_picture(9, n, size).copyTo(target);
-                          }});
+  display.push("frames",
+               {.sequence = static_cast<uint64_t>(n), .write = [&](int, std::span<std::byte> bytes) {
+                  const auto pitch = static_cast<size_t>(Format::bgr8(size.width, size.height).pitch_bytes);
+                  cv::Mat target(size, CV_8UC3, bytes.data(), pitch);
+                  numbered_picture(9, n, size).copyTo(target);
+                }});
   display.run();
 }
 
@@ -44,7 +45,9 @@ void deliver(LinkHarness& display, int frames) {
   display.stop();
 }
 
-bool same(const cv::Mat& a, const cv::Mat& b) { return a.size() == b.size() && cv::norm(a, b, cv::NORM_INF) == 0; }
+bool same(const cv::Mat& a, const cv::Mat& b) {
+  return a.size() == b.size() && cv::norm(a, b, cv::NORM_INF) == 0;
+}
 
 size_t entries(const fs::path& folder) {
   return static_cast<size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
@@ -108,17 +111,26 @@ TEST_CASE("without a frame nothing is written, and what was there stays") {
   CHECK(entries(folder.path()) == 0);
 }
 
-TEST_CASE("a run that is never stopped in good order leaves nothing half-written") {
+TEST_CASE("a file has its name only once it is complete") {
   TemporaryFolder folder;
   const std::string name = GENERATE("out.png", "out.mp4", "out.mkv");
-  {
-    DisplayAlone display(folder.path() / name);
-    REQUIRE(display.configure().empty());
-    push(display, 0);
-    CHECK(!fs::exists(folder.path() / name));
-    fs::remove_all(folder.path());  // the disk fails
-  }
-  fs::create_directories(folder.path());
+  DisplayAlone display(folder.path() / name);
+  REQUIRE(display.configure().empty());
+  push(display, 0);
+  CHECK(!fs::exists(folder.path() / name));
+  display.stop();
+  CHECK(fs::exists(folder.path() / name));
+}
+
+TEST_CASE("an output whose folder goes away during the run is named, and nothing is left") {
+  TemporaryFolder folder;
+  const std::string name = GENERATE("out.png", "out.mp4", "out.mkv");
+  fs::create_directory(folder.path() / "gone");
+  DisplayAlone display(folder.path() / "gone" / name);
+  REQUIRE(display.configure().empty());
+  push(display, 0);
+  fs::remove_all(folder.path() / "gone");
+  CHECK_THROWS_WITH(display.stop(), Contains(name));
   CHECK(entries(folder.path()) == 0);
 }
 
@@ -132,6 +144,12 @@ TEST_CASE("what cannot be written is found before the first frame") {
   std::ofstream(folder.path() / "file") << "text";
   CHECK_THAT(faults_of(folder.path() / "file"), Contains("is a file"));
   CHECK_THAT(faults_of(folder.path() / "out.mp4", {31, 20}), Contains("31x20") && Contains("even"));
+}
+
+TEST_CASE("faults of the path are found even where it is not known what comes in") {
+  LinkHarness display(make_display());
+  display.setting("output", "out.gif");
+  CHECK_THAT(text_of(display.configure()), Contains("\".gif\""));
 }
 
 TEST_CASE("a window without a display is a fault") {

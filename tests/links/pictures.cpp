@@ -14,7 +14,8 @@ cv::Mat numbered_picture(int camera, int number, cv::Size size) {
   cv::Mat picture(size, CV_8UC3);
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
-      picture.at<cv::Vec3b>(y, x) = cv::Vec3b(static_cast<uchar>(camera), static_cast<uchar>(number), static_cast<uchar>(x));
+      picture.at<cv::Vec3b>(y, x) =
+          cv::Vec3b(static_cast<uchar>(camera), static_cast<uchar>(number), static_cast<uchar>(x));
     }
   }
   return picture;
@@ -26,14 +27,16 @@ void write_picture(const fs::path& file, const cv::Mat& picture) {
 }
 
 void write_video(const fs::path& file, int camera, int frames, cv::Size size) {
-  cv::VideoWriter writer(file.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('F', 'F', 'V', '1'), 25, size);
+  cv::VideoWriter writer(file.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('F', 'F', 'V', '1'), 25,
+                         size);
   if (!writer.isOpened()) throw std::runtime_error("cannot write " + file.string());
   for (int n = 0; n < frames; ++n) writer.write(numbered_picture(camera, n, size));
 }
 
 void write_stills(const fs::path& folder, cv::Size size) {
   for (int c = 0; c < 4; ++c) {
-    write_picture(folder / (geometry::kCameraNames[static_cast<size_t>(c)] + ".png"), numbered_picture(c, 0, size));
+    write_picture(folder / (geometry::kCameraNames[static_cast<size_t>(c)] + ".png"),
+                  numbered_picture(c, 0, size));
   }
 }
 

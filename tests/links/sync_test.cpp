@@ -1,8 +1,9 @@
+#include "links/sync/sync.h"
+
 #include <initializer_list>
 
 #include "framework/testing/harness.h"
 #include "links/sync/set_ledger.h"
-#include "links/sync/sync.h"
 #include "tests/catch.h"
 
 using namespace svchain;

@@ -4,7 +4,7 @@
 
 #include "tests/catch.h"
 #include "tests/photometric/made_statistics.h"
-#include "tests/synthesis/allocation_count.h"
+#include "tests/allocation_count.h"
 
 using namespace svchain;
 using namespace svchain::photometric;

@@ -111,5 +111,5 @@ TEST_CASE("a frame that spoils during the run fails it: status 1, and what and w
   cv::imwrite(setting.input / "left" / "000002.png", cv::Mat(90, 160, CV_8UC3, cv::Scalar(1, 2, 3)));
   const auto outcome = svchain_program(small_run("2dsv_2dsp", setting.rig, setting.input, {}));
   CHECK(outcome.status == 1);
-  CHECK_THAT(outcome.err, Contains("svchain: error: IPU1/capture: frame 2") && Contains("left"));
+  CHECK_THAT(outcome.err, Contains("svchain: error: IPU1/capture: ") && Contains("left frame 2: "));
 }

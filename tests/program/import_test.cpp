@@ -23,7 +23,7 @@ TEST_CASE("a canvas that the car does not fit into is refused") {
   const auto outcome = svchain_program({"import", "diy", "front.yaml", "--output", folder.path() / "rig.json",
                                         "--canvas-size-px", "600", "800"});
   CHECK(outcome.status == 2);
-  CHECK_THAT(outcome.err, Contains("--car-min-px") && Contains("front.yaml"));
+  CHECK_THAT(outcome.err, Contains("--car-min-px") && Contains("rear camera"));
   CHECK(count_of(folder.path()) == 0);
 }
 

@@ -11,8 +11,8 @@ namespace {
 /// Looking towards `yaw` from the vehicle's x, tilted down.
 geometry::Rigid3 looking(double yaw_rad, double down_rad, const Eigen::Vector3d& from) {
   Eigen::Matrix3d axes;  // the camera's x, y, z in the vehicle's frame
-  axes.col(2) = Eigen::Vector3d(std::cos(yaw_rad) * std::cos(down_rad), std::sin(yaw_rad) * std::cos(down_rad),
-                                -std::sin(down_rad));
+  axes.col(2) = Eigen::Vector3d(std::cos(yaw_rad) * std::cos(down_rad),
+                                std::sin(yaw_rad) * std::cos(down_rad), -std::sin(down_rad));
   axes.col(0) = Eigen::Vector3d(std::sin(yaw_rad), -std::cos(yaw_rad), 0);
   axes.col(1) = axes.col(2).cross(axes.col(0));
   return {Eigen::Quaterniond(axes), from};

@@ -10,7 +10,9 @@ using namespace svchain::scene;
 
 namespace {
 
-int blue(const Texture& texture, int column, int row) { return static_cast<int>(texture.row(row)[column] & 255); }
+int blue(const Texture& texture, int column, int row) {
+  return static_cast<int>(texture.row(row)[column] & 255);
+}
 
 double painted_area(const Texture& texture) {
   double sum = 0;

@@ -31,7 +31,8 @@ TEST_CASE("a scene of nothing but a rig is a bare ground under a sky") {
 }
 
 TEST_CASE("a scene file's numbers arrive where they belong") {
-  const auto scene = parsed(R"({"rig": "../rigs/car.json", "seed": 5, "frame_rate_hz": 25, "timestamp_jitter_ms": 4,
+  const auto scene =
+      parsed(R"({"rig": "../rigs/car.json", "seed": 5, "frame_rate_hz": 25, "timestamp_jitter_ms": 4,
     "path": {"travel_m": 1, "period_s": 6, "turn_radius_m": 9},
     "ground": {"colour_bgr": [1, 2, 3], "metres_per_texel": 0.01, "half_extent_m": 5},
     "paint": [{"type": "zebra", "pose": {"x_m": 1, "y_m": 2}, "length_m": 2, "width_m": 5, "bars": 3, "colour_bgr": [9, 8, 7]}],
@@ -61,9 +62,9 @@ TEST_CASE("every fault of a scene file is reported at once with its place") {
     "charts": [{"name": "a", "type": "checkerboard", "squares": [5], "square_m": 0.25, "pose": {"x_m": 3, "y_m": 1}}],
     "cameras": {"back": {}, "front": {"gamma": 0}}})");
   REQUIRE_FALSE(scene);
-  const std::vector<std::string> expected = {"/paint/0/type",  "/paint/1/pose",         "/paint/1/radius_m",
-                                             "/charts/0/squares", "/paint/1/colour_bgr/2", "/cameras/back",
-                                             "/cameras/front/gamma", "/grund"};
+  const std::vector<std::string> expected = {
+      "/paint/0/type",         "/paint/1/pose", "/paint/1/radius_m",    "/charts/0/squares",
+      "/paint/1/colour_bgr/2", "/cameras/back", "/cameras/front/gamma", "/grund"};
   auto found = pointers(scene.error());
   for (const auto& pointer : expected) {
     INFO(pointer);
@@ -86,7 +87,8 @@ TEST_CASE("a scene whose rig is missing or faulty names both files") {
   CHECK(missing.error().size() >= 2);
 
   const testing::TemporaryFolder folder;
-  std::ofstream(folder.path() / "rig.json") << R"({"vehicle": {"length_m": 4.8, "width_m": "wide"}, "cameras": {}})";
+  std::ofstream(folder.path() / "rig.json")
+      << R"({"vehicle": {"length_m": 4.8, "width_m": "wide"}, "cameras": {}})";
   std::ofstream(folder.path() / "scene.json") << R"({"rig": "rig.json", "sed": 1})";
   const auto faulty = scene::read_scene(folder.path() / "scene.json");
   REQUIRE_FALSE(faulty);
@@ -98,6 +100,7 @@ TEST_CASE("a scene whose rig is missing or faulty names both files") {
 TEST_CASE("a scene is refused where its numbers do not go together") {
   CHECK_FALSE(parsed(R"({"rig": "../rigs/car.json", "path": {"travel_m": 3, "turn_radius_m": 2}})"));
   CHECK_FALSE(parsed(R"({"rig": "../rigs/car.json", "ground": {"half_extent_m": 3}})"));
-  CHECK_FALSE(parsed(R"({"rig": "../rigs/car.json", "ground": {"half_extent_m": 30, "metres_per_texel": 0.001}})"));
+  CHECK_FALSE(
+      parsed(R"({"rig": "../rigs/car.json", "ground": {"half_extent_m": 30, "metres_per_texel": 0.001}})"));
   CHECK_FALSE(parsed(R"({"rig": "../rigs/car.json", "frame_rate_hz": 100, "timestamp_jitter_ms": 5})"));
 }

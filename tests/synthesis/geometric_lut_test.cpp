@@ -212,10 +212,10 @@ TEST_CASE("memory that holds no whole LUT is refused") {
   CHECK_NOTHROW(open());
 
   SECTION("truncated") {
-    memory.resize(memory.size() - 1);
+    memory.pop_back();
   }
   SECTION("without a header") {
-    memory.resize(8);
+    memory.erase(memory.begin() + 8, memory.end());
   }
   SECTION("something else") {
     header.magic ^= 1;

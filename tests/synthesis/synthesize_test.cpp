@@ -5,7 +5,7 @@
 #include <random>
 
 #include "tests/catch.h"
-#include "tests/synthesis/allocation_count.h"
+#include "tests/allocation_count.h"
 #include "tests/synthesis/decoded_lut.h"
 #include "tests/synthesis/four_cameras.h"
 

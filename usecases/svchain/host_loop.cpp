@@ -16,8 +16,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kTick = 100ms;
-constexpr auto kLostFeedbackAfter = 2s;
-constexpr auto kStandstillAfter = 5s;
+constexpr int kLostFeedbackAfter = 2s / kTick;
+constexpr int kStandstillAfter = 5s / kTick;
 
 }  // namespace
 
@@ -43,44 +43,43 @@ void HostLoop::attend(Chain& chain, bool watched, bool lossless) {
   chain_ = &chain;
   watched_ = watched;
   lossless_ = lossless;
-  moved_at_ = started_at_ = std::chrono::steady_clock::now();
+  started_at_ = std::chrono::steady_clock::now();
   tick();
   io_.run();
   if (progress_) std::fputs("\r\033[K", stderr);
 }
 
 void HostLoop::tick() {
-  const Time now = std::chrono::steady_clock::now();
   if (ending_)
     chain_->request_end();  // again and again: the first may have come before the chain was running
-  if (watched_) watch(now);
-  if (progress_) show_progress(now);
+  if (watched_) watch();
+  if (progress_) show_progress();
   timer_.expires_after(kTick);
   timer_.async_wait([this](const boost::system::error_code& error) {
     if (!error) tick();
   });
 }
 
-void HostLoop::watch(Time now) {
+void HostLoop::watch() {
   const uint64_t calls = chain_->calls();
-  if (calls != calls_seen_ || chain_->busy()) {
+  if (calls != calls_seen_ || chain_->busy() || chain_->finished()) {
     calls_seen_ = calls;
-    moved_at_ = now;
-    excused_ = false;
+    quiet_ticks_ = 0;
     return;
   }
-  if (!excused_ && now - moved_at_ >= kLostFeedbackAfter) {
-    excused_ = true;
-    if (chain_->excuse_lost_feedback()) spdlog::warn("a feedback message got lost: going on without it");
+  ++quiet_ticks_;
+  if (quiet_ticks_ == kLostFeedbackAfter && chain_->excuse_lost_feedback()) {
+    spdlog::warn("a feedback message got lost: going on without it");
   }
-  if (now - moved_at_ < kStandstillAfter || chain_->finished() || !(lossless_ || ending_)) return;
+  if (quiet_ticks_ < kStandstillAfter || !(lossless_ || ending_)) return;
   chain_->fail(stall_of(*chain_));
   io_.stop();
 }
 
-void HostLoop::show_progress(Time now) {
+void HostLoop::show_progress() {
   const Progress progress = chain_->progress();
-  const double seconds = std::chrono::duration<double>(now - started_at_).count();
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - started_at_).count();
   const double fps = seconds > 0 ? static_cast<double>(progress.delivered) / seconds : 0.0;
   std::fprintf(stderr, "\r\033[K%llu frames, %.1f frames/s, %llu dropped",
                static_cast<unsigned long long>(progress.delivered), fps,

@@ -25,12 +25,10 @@ class HostLoop {
   void finish();
 
  private:
-  using Time = std::chrono::steady_clock::time_point;
-
   void await_signal();
   void tick();
-  void watch(Time now);
-  void show_progress(Time now);
+  void watch();
+  void show_progress();
 
   boost::asio::io_context io_;
   boost::asio::signal_set signals_;
@@ -40,9 +38,9 @@ class HostLoop {
   bool ending_ = false;
   bool progress_ = false;
 
+  std::chrono::steady_clock::time_point started_at_;
   uint64_t calls_seen_ = 0;
-  Time moved_at_, started_at_;
-  bool excused_ = false;
+  int quiet_ticks_ = 0;  // counted rather than timed: a program that was suspended has not stood still
 };
 
 }  // namespace svchain::program

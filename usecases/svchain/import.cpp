@@ -55,10 +55,9 @@ int import_rig(const ImportOptions& options) {
   const auto canvas = canvas_of(options, faults);
   const auto rig = read_any(options, canvas);
   if (!rig) append(faults, rig.error());
-  auto file = WholeFile::create(options.output, "--output");
-  if (!file) append(faults, file.error());
+  append(faults, check_writable(options.output, "--output"));
   if (!faults.empty()) return say(faults);
-  file->write(geometry::rig_text(*rig));
+  write_whole(options.output, geometry::rig_text(*rig));
   std::cerr << options.output.string() << ": " << rig->cameras.size() << " cameras\n";
   return kDone;
 }

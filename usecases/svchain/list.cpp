@@ -23,12 +23,15 @@ std::string row(const std::string& name, const std::string& text) {
   return text.empty() ? name : padded(name) + text;
 }
 
+std::string title_of(const std::string& use_case) {
+  const auto document = json::Document::read(shipped_file(kUseCases, use_case));
+  if (!document || !document->root().is_object()) return {};
+  const auto title = document->root().find("title");
+  return title != document->root().end() && title->is_string() ? title->get<std::string>() : "";
+}
+
 void list_use_cases() {
-  for (const std::string& name : shipped_names(kUseCases)) {
-    const auto document = json::Document::read(shipped_file(kUseCases, name));
-    const bool titled = document && document->root().is_object() && document->root().contains("title");
-    std::cout << row(name, titled ? document->root()["title"].get<std::string>() : "") << '\n';
-  }
+  for (const std::string& name : shipped_names(kUseCases)) std::cout << row(name, title_of(name)) << '\n';
 }
 
 void list_socs() {
@@ -64,7 +67,7 @@ std::string what_it_takes(const ParameterDescription& d) {
     case Kind::kChoice:
       return spoken_list(d.choices);
     case Kind::kNumbers:
-      return std::to_string(d.count) + " numbers, each " + range.text();
+      return (d.count > 0 ? std::to_string(d.count) + " numbers" : "numbers") + ", each " + range.text();
   }
   return {};
 }

@@ -26,12 +26,17 @@ using Json = nlohmann::json;
 
 constexpr const char* kToStdout = "-";
 
-std::optional<WholeFile> open_report(const std::optional<std::string>& path, Faults& faults) {
-  if (!path || *path == kToStdout) return std::nullopt;
-  auto file = WholeFile::create(*path, "--report");
-  if (file) return std::move(*file);
-  append(faults, file.error());
-  return std::nullopt;
+Faults report_faults(const std::optional<std::string>& path) {
+  return path && *path != kToStdout ? check_writable(*path, "--report") : Faults{};
+}
+
+void deliver(const Json& report, const std::string& path) {
+  const std::string text = report.dump(2) + "\n";
+  if (path == kToStdout) {
+    std::cout << text << std::flush;
+  } else {
+    write_whole(path, text);
+  }
 }
 
 /// The sum over all pixels goes into the report, and costs time: it is formed where there is a report.
@@ -90,16 +95,20 @@ Json report_of(const Chain& chain) {
   return report;
 }
 
+/// The log goes to stderr, and OpenCV gets no threads: they would fight the cores'.
+void prepare_libraries() {
+  spdlog::set_default_logger(spdlog::stderr_color_mt("svchain"));
+  spdlog::set_pattern("svchain: %l: %v");
+  cv::setNumThreads(1);
+}
+
 }  // namespace
 
 int run(const RunOptions& options) {
-  spdlog::set_default_logger(spdlog::stderr_color_mt("svchain"));
-  spdlog::set_pattern("svchain: %l: %v");
-  cv::setNumThreads(1);  // its threads would fight the cores'
+  prepare_libraries();
 
-  Faults faults;
+  Faults faults = report_faults(options.report);
   const RunNumbers numbers = read_numbers(options, faults);
-  auto report_file = open_report(options.report, faults);
   auto planned = plan_use_case(options.use_case);
   if (!planned) {
     append(faults, planned.error());
@@ -125,8 +134,7 @@ int run(const RunOptions& options) {
   const Json report = report_of(chain);
   std::cerr << report_table(report);
   warn_of_outstanding_buffers(chain);
-  if (report_file) report_file->write(report.dump(2) + "\n");
-  if (options.report == kToStdout) std::cout << report.dump(2) << '\n';
+  if (options.report) deliver(report, *options.report);
   const auto failure = chain.failure();
   if (failure) std::cerr << "svchain: error: " << failure->text() << '\n';
   return failure ? kFailed : kDone;

@@ -6,49 +6,58 @@
 #include <stdexcept>
 #include <system_error>
 #include <unistd.h>
-#include <utility>
 
 namespace svchain::program {
 
 namespace fs = std::filesystem;
 
-Result<WholeFile> WholeFile::create(const fs::path& path, const std::string& option) {
-  const auto bad = [&](const std::string& why) {
-    return fail(option, "\"" + path.string() + "\" cannot be written: " + why);
-  };
-  std::error_code error;
-  const fs::path target = fs::weakly_canonical(path, error);  // a link is written through, not replaced
-  if (error || path.empty()) return bad(error ? error.message() : "expected a file");
-  const fs::file_status status = fs::status(target, error);
-  if (fs::is_directory(status)) return bad("it is a folder, expected a file");
-  const bool regular = fs::is_regular_file(status) || !fs::exists(status);
-  if (regular && fs::exists(status) && access(target.c_str(), W_OK) != 0) return bad(std::strerror(errno));
+namespace {
 
-  fs::path place = target;
-  if (regular) place += "." + std::to_string(getpid()) + ".part";
-  errno = 0;
-  if (!std::ofstream(place, std::ios::app)) return bad(std::strerror(errno));
-  return WholeFile(target, place);
-}
-
-WholeFile::WholeFile(fs::path path, fs::path temporary)
-    : path_(std::move(path)), temporary_(std::move(temporary)) {}
-
-WholeFile::WholeFile(WholeFile&& other) noexcept
-    : path_(std::move(other.path_)), temporary_(std::exchange(other.temporary_, {})) {}
-
-WholeFile::~WholeFile() {
+bool is_device(const fs::path& target) {
   std::error_code ignored;
-  if (!temporary_.empty() && temporary_ != path_) fs::remove(temporary_, ignored);
+  const fs::file_status status = fs::status(target, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status);
 }
 
-void WholeFile::write(const std::string& text) {
-  std::ofstream file(temporary_, std::ios::binary | std::ios::trunc);
+fs::path beside(const fs::path& target) {
+  fs::path temporary = target;
+  return temporary += "." + std::to_string(getpid()) + ".part";
+}
+
+/// What stands in the way of writing; "" for nothing.
+std::string obstacle(const fs::path& path) {
+  std::error_code error;
+  if (path.empty()) return "expected a file name";
+  const fs::path target = fs::weakly_canonical(path, error);
+  if (error) return error.message();
+  if (fs::is_directory(target, error)) return "it is a folder, expected a file";
+  if (fs::exists(target, error) && access(target.c_str(), W_OK) != 0) return std::strerror(errno);
+  if (is_device(target)) return {};
+  errno = 0;
+  if (!std::ofstream(beside(target))) return std::strerror(errno);
+  fs::remove(beside(target), error);
+  return {};
+}
+
+}  // namespace
+
+Faults check_writable(const fs::path& path, const std::string& option) {
+  const std::string why = obstacle(path);
+  if (why.empty()) return {};
+  return {{option, {}, {}, "\"" + path.string() + "\" cannot be written: " + why}};
+}
+
+void write_whole(const fs::path& path, const std::string& text) {
+  const fs::path target = fs::weakly_canonical(path);
+  const fs::path place = is_device(target) ? target : beside(target);
+  std::ofstream file(place, std::ios::binary);
   file << text;
   file.close();
-  if (!file) throw std::runtime_error(path_.string() + ": could not be written");
-  if (temporary_ != path_) fs::rename(temporary_, path_);
-  temporary_.clear();
+  std::error_code error;
+  if (file && place != target) fs::rename(place, target, error);
+  if (file && !error) return;
+  if (place != target) fs::remove(place, error);
+  throw std::runtime_error(path.string() + ": could not be written");
 }
 
 }  // namespace svchain::program

@@ -1,6 +1,7 @@
 #pragma once
-// A text file that appears under its name only when it is whole: written beside it under a temporary name,
-// then renamed. What is no regular file (a pipe, a device) is written as it stands. One thread.
+// Text files that appear under their names only when they are whole: written beside them under a temporary
+// name, then renamed. What is no regular file (a pipe, a device) is written as it stands; links are written
+// through.
 
 #include <filesystem>
 #include <string>
@@ -9,22 +10,11 @@
 
 namespace svchain::program {
 
-class WholeFile {
- public:
-  /// Finds out whether the file can be written. `option` is what a fault is said of: "--report".
-  static Result<WholeFile> create(const std::filesystem::path& path, const std::string& option);
-  /// Leaves nothing behind unless the text was written.
-  ~WholeFile();
-  WholeFile(WholeFile&& other) noexcept;
-  WholeFile& operator=(WholeFile&&) = delete;
+/// Finds out beforehand whether the file can be written, and leaves nothing behind. `option` is what a fault
+/// is said of.
+Faults check_writable(const std::filesystem::path& path, const std::string& option);
 
-  /// Throws std::runtime_error, naming the file, where the disk is full or gone.
-  void write(const std::string& text);
-
- private:
-  WholeFile(std::filesystem::path path, std::filesystem::path temporary);
-  std::filesystem::path path_;
-  std::filesystem::path temporary_;  // empty once it has got its name
-};
+/// Throws std::runtime_error, naming the file, where the disk is full or gone.
+void write_whole(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace svchain::program

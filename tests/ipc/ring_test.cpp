@@ -1,7 +1,8 @@
+#include "ipc/ring.h"
+
 #include <vector>
 
 #include "ipc/message.h"
-#include "ipc/ring.h"
 #include "ipc/shared_region.h"
 #include "tests/catch.h"
 

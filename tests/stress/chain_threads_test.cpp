@@ -27,16 +27,17 @@ struct Threaded {
 
 TEST_CASE("threads deliver what one thread delivers, with feedback exact across cores") {
   for (const std::string core : {"A", "B"}) {
-    for (const int spins : {0, 200}) {
+    for (const std::string bell : {R"("spins":0)", R"("spins":200)", R"("parks":false)"}) {
       Fakes fakes;
       Threaded threaded;
-      threaded.options.spins = spins;
+      fakes.soc = R"({"name":"duo","cores":{"A":{"kind":"M4",)" + bell + R"(},"B":{"kind":"C66x"}}})";
       threaded.options.pace.frames = 2000;
       auto chain = fakes.chain(loop(core), threaded.options);
       run_with_threads(*chain, threaded.done.get_future());
       REQUIRE(fakes.seen.size() == 2000);
       bool exact = true;
-      for (int64_t i = 1; i < 2000; ++i) exact = exact && fakes.seen[static_cast<size_t>(i)] == 1000 * i + i - 1 + 500;
+      for (int64_t i = 1; i < 2000; ++i)
+        exact = exact && fakes.seen[static_cast<size_t>(i)] == 1000 * i + i - 1 + 500;
       CHECK(exact);
       CHECK(chain->outstanding().empty());
     }
@@ -64,7 +65,8 @@ TEST_CASE("an edge that drops, between threads, accounts for every frame") {
     Threaded threaded;
     threaded.options.pace.frames = 20'000;
     auto chain = fakes.chain(
-        line("{}", "", R"({"from":"numbers.out","to":"add.in","depth":2,"policy":")" + policy + "\"}"), threaded.options);
+        line("{}", "", R"({"from":"numbers.out","to":"add.in","depth":2,"policy":")" + policy + "\"}"),
+        threaded.options);
     run_with_threads(*chain, threaded.done.get_future());
     const auto frames = chain->report()["frames"];
     uint64_t accounted = frames["delivered"].get<uint64_t>();

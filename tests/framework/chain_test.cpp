@@ -31,7 +31,8 @@ TEST_CASE("a chain delivers every frame, in order, and everything goes home") {
   CHECK_FALSE(chain->failure());
   CHECK(fakes.seen == counted(10, 7));
   const auto report = chain->report();
-  CHECK(report["frames"] == nlohmann::json{{"captured", 10}, {"delivered", 10}, {"dropped", nlohmann::json::object()}});
+  CHECK(report["frames"] ==
+        nlohmann::json{{"captured", 10}, {"delivered", 10}, {"dropped", nlohmann::json::object()}});
   CHECK(report["edges"]["numbers.out -> add.in"]["ipc"] == true);
   CHECK(report["edges"]["numbers.out -> add.in"]["messages"] == 10);
   CHECK(report["links"]["add"]["processed"] == 10);
@@ -126,7 +127,8 @@ TEST_CASE("every order that a seed picks delivers the same, and a seed replays i
 }
 
 TEST_CASE("an edge that drops the oldest keeps the newest and counts the rest") {
-  // The source may run far ahead only in some orders: over many seeds some frames are dropped, and all are accounted for.
+  // The source may run far ahead only in some orders: over many seeds some frames are dropped, and all are
+  // accounted for.
   uint64_t dropped_in_all = 0;
   for (uint64_t seed = 0; seed < 30; ++seed) {
     Fakes fakes;
@@ -153,9 +155,10 @@ TEST_CASE("an edge that drops the oldest keeps the newest and counts the rest") 
 
 TEST_CASE("buffers that a link keeps are listed with their holder") {
   Fakes fakes;
-  auto chain = fakes.chain(R"({"name":"x","links":{"numbers":{"type":"numbers","core":"A","params":{"count":3}},
+  auto chain =
+      fakes.chain(R"({"name":"x","links":{"numbers":{"type":"numbers","core":"A","params":{"count":3}},
     "collect":{"type":"collect","core":"B","params":{"hoard":true}}},"edges":["numbers.out -> collect.in"]})",
-                           by_hand());
+                  by_hand());
   run_by_hand(*chain);
   const auto held = chain->outstanding();
   REQUIRE(held.size() == 1);
@@ -229,8 +232,8 @@ TEST_CASE("a command reaches its link between two calls") {
   chain->stop();
   CHECK(answer.get() == nlohmann::json{{"plus", 100}});
   CHECK(fakes.seen.back() == 109);
-  CHECK_THROWS_WITH(unknown.get(), Catch::Contains("minus"));
-  CHECK_THROWS_WITH(nobody.get(), Catch::Contains("did you mean \"add\"?"));
+  CHECK_THROWS_WITH(unknown.get(), Catch::Matchers::Contains("minus"));
+  CHECK_THROWS_WITH(nobody.get(), Catch::Matchers::Contains("did you mean \"add\"?"));
 }
 
 TEST_CASE("ending a run early delivers what was captured") {
@@ -254,8 +257,8 @@ TEST_CASE("a chain that stands still says who waits for whom") {
   auto chain = fakes.chain(line(), by_hand());
   chain->start();
   const auto failure = stall_of(*chain);
-  CHECK_THAT(failure.what, Catch::Contains("add (B) waits for in from numbers.out"));
-  CHECK_THAT(failure.what, Catch::Contains("collect (A) waits for in from add.out"));
+  CHECK_THAT(failure.what, Catch::Matchers::Contains("add (B) waits for in from numbers.out"));
+  CHECK_THAT(failure.what, Catch::Matchers::Contains("collect (A) waits for in from add.out"));
 }
 
 TEST_CASE("a thousand chains come and go without growth") {

@@ -1,4 +1,5 @@
 #include "framework/chain/lifecycle.h"
+
 #include "tests/catch.h"
 
 using namespace svchain;
@@ -11,10 +12,8 @@ TEST_CASE("a chain's life allows exactly these transitions") {
     std::optional<S> configure, start, drain, stop;
   };
   const Row table[] = {
-      {S::kCreated, S::kConfigured, {}, {}, S::kStopped},
-      {S::kConfigured, {}, S::kRunning, {}, S::kStopped},
-      {S::kRunning, {}, {}, S::kDraining, S::kStopped},
-      {S::kDraining, {}, {}, S::kDraining, S::kStopped},
+      {S::kCreated, S::kConfigured, {}, {}, S::kStopped}, {S::kConfigured, {}, S::kRunning, {}, S::kStopped},
+      {S::kRunning, {}, {}, S::kDraining, S::kStopped},   {S::kDraining, {}, {}, S::kDraining, S::kStopped},
       {S::kStopped, S::kConfigured, {}, {}, S::kStopped},
   };
   for (const Row& row : table) {

@@ -9,8 +9,7 @@ namespace {
 struct Fixture {
   Fixture() {
     for (uint16_t id = 0; id < 2; ++id) {
-      pools.push_back(
-          std::make_unique<Pool>(id, "p", Format::bgr8(4, 2), 3, 2, PoolOwner{0, &attention, 0}));
+      pools.push_back(std::make_unique<Pool>(id, "p", Format::bgr8(4, 2), 3, 2, PoolOwner{0, &attention, 0}));
     }
   }
   Frame take(size_t pool, int64_t timestamp_ns = 0) {

@@ -1,4 +1,4 @@
-#include "tests/synthesis/allocation_count.h"
+#include "tests/allocation_count.h"
 
 #include <atomic>
 #include <cstdlib>
@@ -10,9 +10,12 @@ std::atomic<size_t> count{0};
 
 }  // namespace
 
-void* operator new(size_t size) {
+void* operator new(size_t size, const std::nothrow_t&) noexcept {
   ++count;
-  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
+  return std::malloc(size > 0 ? size : 1);
+}
+void* operator new(size_t size) {
+  if (void* memory = operator new(size, std::nothrow)) return memory;
   throw std::bad_alloc();
 }
 void operator delete(void* memory) noexcept {

@@ -1,4 +1,5 @@
 #include "ipc/doorbell.h"
+
 #include "ipc/shared_region.h"
 #include "tests/catch.h"
 
