@@ -96,9 +96,16 @@ void add_samples(const Texture& texture, const Samples& samples, int count, int 
   }
 }
 
+/// Wider vectors where the processor has them; the arithmetic, and so every pixel, stays the same.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define SVCHAIN_WIDE __attribute__((target_clones("arch=x86-64-v3", "default"), flatten))
+#else
+#define SVCHAIN_WIDE
+#endif
+
 /// The light that `count` pixels from `pixel` on receive, as Sensor takes it. Every sample is within the
 /// texture by construction: a span's level reaches wherever the vehicle may go.
-void gather(const SightLines& lines, const Span& span, const Mapping& m, size_t pixel, int count,
+SVCHAIN_WIDE void gather(const SightLines& lines, const Span& span, const Mapping& m, size_t pixel, int count,
             uint64_t* light) {
   float centre_u[kMost], centre_v[kMost], u[kMost], v[kMost];
   Samples samples;

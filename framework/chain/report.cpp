@@ -11,17 +11,18 @@ namespace {
 
 using Json = nlohmann::json;
 
-double rounded(double v, double unit) {
-  return std::round(v / unit) * unit;
+/// To so many parts of one; dividing at the end gives the shortest decimal.
+double rounded(double v, double parts) {
+  return std::round(v * parts) / parts;
 }
 
 Json in_ms(const Histogram& h) {
-  const auto ms = [](int64_t ns) { return rounded(static_cast<double>(ns) * 1e-6, 1e-4); };
+  const auto ms = [](int64_t ns) { return rounded(static_cast<double>(ns) * 1e-6, 1e4); };
   return {{"p50", ms(h.quantile_ns(0.5))}, {"p99", ms(h.quantile_ns(0.99))}, {"max", ms(h.max_ns())}};
 }
 
 Json in_us(const Histogram& h) {
-  const auto us = [](int64_t ns) { return rounded(static_cast<double>(ns) * 1e-3, 1e-3); };
+  const auto us = [](int64_t ns) { return rounded(static_cast<double>(ns) * 1e-3, 1e3); };
   return {{"p50", us(h.quantile_ns(0.5))}, {"p99", us(h.quantile_ns(0.99))}};
 }
 
@@ -89,14 +90,14 @@ nlohmann::json Chain::report() const {
   const double wall_s = std::max(1e-9, static_cast<double>(end_ns - r.started_ns) * 1e-9);
   const Deliveries d = deliveries(plan_, r);
   report["frames"] = frames_part(plan_, r, d.delivered);
-  report["wall_s"] = rounded(wall_s, 1e-6);
-  report["fps"] = rounded(static_cast<double>(d.delivered) / wall_s, 1e-3);
+  report["wall_s"] = rounded(wall_s, 1e6);
+  report["fps"] = rounded(static_cast<double>(d.delivered) / wall_s, 1e3);
   if (d.latency) report["latency_ms"]["capture_to_display"] = in_ms(*d.latency);
 
   report["cores"] = Json::object();
   for (const auto& core : r.cores) {
     report["cores"][core->name()]["load"] =
-        rounded(static_cast<double>(core->busy_ns()) * 1e-9 / wall_s, 1e-4);
+        rounded(static_cast<double>(core->busy_ns()) * 1e-9 / wall_s, 1e4);
   }
   for (size_t l = 0; l < plan_.links.size(); ++l) {
     const RunnerCounters& c = r.runners[l]->counters();

@@ -252,7 +252,8 @@ void Runner::fail(const char* what) {
   if (on_error_ == OnError::kDrop) return;
   failed_ = true;
   state_ = State::kFinishing;
-  hooks_.failed({core_, name_, trigger_.sequence, what});
+  const uint64_t captured = counters_.captured.value();
+  hooks_.failed({core_, name_, is_source() ? captured - (captured > 0 ? 1 : 0) : trigger_.sequence, what});
 }
 
 /// Whatever this call has not sent is missing for good: those who wait for it are told.

@@ -73,6 +73,15 @@ TEST_CASE("an input folder that is not there is named") {
   CHECK_THAT(setting.refused().err, Contains("nowhere"));
 }
 
+TEST_CASE("a bad input, a bad output and a bad report are all told at once") {
+  const auto outcome = svchain_program({"--usecase", "2dsv_2dsp", "--input", "/nowhere/in", "--output",
+                                        "/nowhere/out.png", "--report", "/nowhere/report.json"});
+  CHECK(outcome.status == 2);
+  for (const char* part : {"/nowhere/in", "/nowhere/out.png", "--report: error:", "--rig: error: missing"}) {
+    CHECK_THAT(outcome.err, Contains(part));
+  }
+}
+
 TEST_CASE("frames from outside need a rig") {
   const Setting setting;
   const auto outcome = svchain_program({"--usecase", "2dsv_2dsp", "--input", setting.input});
