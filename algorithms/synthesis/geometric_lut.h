@@ -28,7 +28,7 @@ inline constexpr int kLargestBox = 2048;
 inline constexpr uint32_t kLutMagic = 0x54554c47;  // "GLUT"
 inline constexpr uint32_t kLutVersion = 1;
 
-enum class SpanKind : uint8_t { black, background, camera, blend };
+enum class SpanKind : uint8_t { kBlack, kBackground, kCamera, kBlend };
 
 struct LutSpan {
   SpanKind kind;

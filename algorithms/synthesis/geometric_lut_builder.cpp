@@ -31,11 +31,11 @@ struct Tap {
 
 /// One pixel of the composite. `taps` holds one for a camera, two for a blend.
 struct Cell {
-  SpanKind kind = SpanKind::black;
+  SpanKind kind = SpanKind::kBlack;
   uint8_t weight = 0;
   Tap taps[2];
 
-  int tap_count() const { return kind == SpanKind::blend ? 2 : kind == SpanKind::camera ? 1 : 0; }
+  int tap_count() const { return kind == SpanKind::kBlend ? 2 : kind == SpanKind::kCamera ? 1 : 0; }
   bool continues(const Cell& before) const {
     if (kind != before.kind) return false;
     for (int i = 0; i < tap_count(); ++i)
@@ -54,7 +54,7 @@ class CellMaker {
 
   Cell make(int column, int row) const {
     const Eigen::Vector2d ground = view_.ground_from_pixel({column, row});
-    if (is_under_vehicle(rig_.vehicle, ground)) return {SpanKind::background, 0, {}};
+    if (is_under_vehicle(rig_.vehicle, ground)) return {SpanKind::kBackground, 0, {}};
     const CameraShares shares = camera_shares(rig_.vehicle, shape_, ground);
     return shares.share_of_first >= 0.5 ? make(ground, shares.first, shares.second, shares)
                                         : make(ground, shares.second, shares.first, shares);
@@ -79,12 +79,12 @@ class CellMaker {
     if (main_weight == 255) return one(tap(main, *main_seen));
     if (main_weight == 0) return one(tap(other, *other_seen));
     Cell cell{
-        SpanKind::blend, static_cast<uint8_t>(weight), {tap(main, *main_seen), tap(other, *other_seen)}};
+        SpanKind::kBlend, static_cast<uint8_t>(weight), {tap(main, *main_seen), tap(other, *other_seen)}};
     if (!in_order) std::swap(cell.taps[0], cell.taps[1]);
     return cell;
   }
 
-  static Cell one(const Tap& tap) { return {SpanKind::camera, 0, {tap, {}}}; }
+  static Cell one(const Tap& tap) { return {SpanKind::kCamera, 0, {tap, {}}}; }
 
   /// Rounds, and keeps the right and lower neighbour of the sample within the image.
   Tap tap(int camera, const CameraReach::Seen& seen) const {
@@ -170,7 +170,7 @@ class BlockWriter {
     std::array<Bounds, 4> bounds;
     std::array<bool, 4> overlaps = {};  // by first camera
     for (const Cell* cell = cells; cell != cells + block.width * block.height; ++cell) {
-      if (cell->kind == SpanKind::blend) overlaps[cell->taps[0].camera] = true;
+      if (cell->kind == SpanKind::kBlend) overlaps[cell->taps[0].camera] = true;
       for (int i = 0; i < cell->tap_count(); ++i) {
         const Tap& tap = cell->taps[i];
         Bounds& b = bounds[tap.camera];
@@ -210,9 +210,9 @@ class BlockWriter {
         entries_.push_back(
             make_entry(run[n].taps[i].x - source.x * kOnePixel, run[n].taps[i].y - source.y * kOnePixel));
     }
-    if (run->kind == SpanKind::blend)
+    if (run->kind == SpanKind::kBlend)
       for (int n = 0; n < count; ++n) weights_.push_back(run[n].weight);
-    if (run->kind == SpanKind::background) {
+    if (run->kind == SpanKind::kBackground) {
       const cv::Vec3b* from = background_.ptr<cv::Vec3b>(block.y + row) + block.x + start;
       for (int n = 0; n < count; ++n) pixels_.push_back({from[n][0], from[n][1], from[n][2]});
     }

@@ -87,18 +87,18 @@ class Kernel {
       uint8_t* out = out_.ptr(block.y + span.row) + (block.x + span.start) * kChannels;
       const int count = span.count;
       switch (span.kind) {
-        case SpanKind::black:
+        case SpanKind::kBlack:
           std::memset(out, 0, count * kChannels);
           break;
-        case SpanKind::background:
+        case SpanKind::kBackground:
           std::memcpy(out, background, count * kChannels);
           background += count * kChannels;
           break;
-        case SpanKind::camera:
+        case SpanKind::kCamera:
           show_one(sources_[span.first], entries, count, out);
           entries += count;
           break;
-        case SpanKind::blend:
+        case SpanKind::kBlend:
           show_both(span, entries, weights, out);
           entries += 2 * count;
           weights += count;

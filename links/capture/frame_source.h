@@ -42,8 +42,9 @@ class FrameSource {
 };
 
 struct SourceRequest {
-  double fps = 30;    // nominal rate of the time stamps
-  uint64_t seed = 1;  // of simulated noise
+  double fps = 30;         // nominal rate of the time stamps
+  uint64_t seed = 1;       // of simulated noise
+  bool real_time = false;  // frames must be there when they are due
 };
 
 /// SOURCE as on the command line: a directory, `simulated:SCENE` or `front=URL,right=URL,rear=URL,left=URL`.

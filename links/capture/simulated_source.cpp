@@ -7,6 +7,7 @@
 #include "algorithms/scene/motion.h"
 #include "algorithms/scene/renderer.h"
 #include "algorithms/scene/scene_file.h"
+#include "links/capture/render_ahead.h"
 #include "links/configs_folder.h"
 
 namespace svchain {
@@ -17,26 +18,48 @@ namespace {
 
 class SimulatedSource final : public FrameSource {
  public:
-  explicit SimulatedSource(scene::Scene scene)
+  SimulatedSource(scene::Scene scene, bool real_time)
       : renderer_(std::make_shared<scene::World>(std::move(scene))), scene_(renderer_.world().scene()) {
     facts_.usual_sets = 300;
     for (size_t c = 0; c < kCameras; ++c) {
       const Eigen::Vector2i size = scene_.rig.cameras[c].image_size_px;
       facts_.size_px[c] = {size.x(), size.y()};
+      if (!real_time) continue;
+      ahead_[c] = std::make_unique<RenderAhead>(
+          facts_.size_px[c], [this, c](uint64_t set, cv::Mat& into) { render(set, c, into); });
     }
   }
 
   const SourceFacts& facts() const override { return facts_; }
   std::optional<int64_t> read(uint64_t set, size_t camera, cv::Mat& into) override {
-    const int64_t time_ns = scene::capture_time_ns(scene_, camera, set);
-    renderer_.render(camera, static_cast<double>(time_ns) * 1e-9, set, into);
-    return time_ns;
+    if (ahead_[camera]) {
+      ahead_[camera]->read(set, into);
+    } else {
+      render(set, camera, into);
+    }
+    return scene::capture_time_ns(scene_, camera, set);
+  }
+  void start() override {
+    for (auto& camera : ahead_) {
+      if (camera) camera->start();
+    }
+  }
+  void stop() override {
+    for (auto& camera : ahead_) {
+      if (camera) camera->stop();
+    }
   }
 
  private:
+  void render(uint64_t set, size_t camera, cv::Mat& into) const {
+    const int64_t time_ns = scene::capture_time_ns(scene_, camera, set);
+    renderer_.render(camera, static_cast<double>(time_ns) * 1e-9, set, into);
+  }
+
   scene::Renderer renderer_;
   const scene::Scene& scene_;
   SourceFacts facts_;
+  std::array<std::unique_ptr<RenderAhead>, kCameras> ahead_;  // in real time only
 };
 
 std::vector<std::string> scene_names() {
@@ -70,7 +93,7 @@ Result<std::unique_ptr<FrameSource>> open_simulated(const std::string& scene, co
   if (!read) return tl::unexpected(read.error());
   read->frame_rate_hz = request.fps;
   read->seed += request.seed - 1;  // 1, the usual one, leaves the scene's own
-  return std::make_unique<SimulatedSource>(std::move(*read));
+  return std::make_unique<SimulatedSource>(std::move(*read), request.real_time);
 }
 
 }  // namespace svchain

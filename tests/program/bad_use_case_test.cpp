@@ -77,7 +77,7 @@ TEST_CASE("a parameter out of range is answered with the range and its unit") {
   CHECK_THAT(said, Contains("/links/sync/params/delta_ms") && Contains("ms, got -1"));
 }
 
-TEST_CASE("--set is checked like the file") {
+TEST_CASE("an override by --set is checked like the file") {
   const auto said = refused([](Json&) {}, {"--set", "sync.delta_ms=-1", "--set", "synthesys.x=1"}).err;
   CHECK_THAT(said, Contains("--set sync.delta_ms=-1: error:"));
   CHECK_THAT(said, Contains("--set synthesys.x=1: error:") && Contains("did you mean \"synthesis\"?"));

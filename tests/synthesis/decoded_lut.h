@@ -36,14 +36,14 @@ struct DecodedTap {
 
 struct DecodedPixel {
   int times_covered = 0;
-  synthesis::SpanKind kind = synthesis::SpanKind::black;
+  synthesis::SpanKind kind = synthesis::SpanKind::kBlack;
   std::array<DecodedTap, 2> taps;
   int weight = 0;
   std::array<uint8_t, 3> background = {};
   uint32_t block = 0;
 
   int tap_count() const {
-    return kind == synthesis::SpanKind::blend ? 2 : kind == synthesis::SpanKind::camera ? 1 : 0;
+    return kind == synthesis::SpanKind::kBlend ? 2 : kind == synthesis::SpanKind::kCamera ? 1 : 0;
   }
   /// Weight of a camera in this pixel, 0..255.
   int weight_of(int camera) const {
@@ -83,13 +83,13 @@ inline DecodedLut decode(const synthesis::GeometricLut& lut) {
         run[i].kind = span.kind;
         run[i].block = index;
       }
-      if (span.kind == SpanKind::camera || span.kind == SpanKind::blend)
+      if (span.kind == SpanKind::kCamera || span.kind == SpanKind::kBlend)
         for (int i = 0; i < span.count; ++i) run[i].taps[0] = tap(span.first);
-      if (span.kind == SpanKind::blend)
+      if (span.kind == SpanKind::kBlend)
         for (int i = 0; i < span.count; ++i) run[i].taps[1] = tap(span.second);
-      if (span.kind == SpanKind::blend)
+      if (span.kind == SpanKind::kBlend)
         for (int i = 0; i < span.count; ++i) run[i].weight = *weights++;
-      if (span.kind == SpanKind::background)
+      if (span.kind == SpanKind::kBackground)
         for (int i = 0; i < span.count; ++i)
           for (uint8_t& channel : run[i].background) channel = *background++;
     }

@@ -135,7 +135,7 @@ TEST_CASE("the vehicle's rectangle is background and nothing else is") {
     for (int row = 0; row < lut.height; ++row)
       for (int column = 0; column < lut.width; ++column) {
         const bool under = is_under_vehicle(rig.vehicle, view.ground_from_pixel({column, row}));
-        wrong += under != (lut.at(column, row).kind == SpanKind::background);
+        wrong += under != (lut.at(column, row).kind == SpanKind::kBackground);
         grey += lut.at(column, row).background[0] > 0;
       }
     CHECK(wrong == 0);
@@ -174,8 +174,8 @@ TEST_CASE("a neighbour fills what a camera does not see of its own zone") {
       const DecodedPixel& pixel = lut.at(column, row);
       if (own) wrong += pixel.tap_count() == 0;
       if (own) continue;
-      if (neighbour) (pixel.kind == SpanKind::camera && pixel.taps[0].camera != 3 ? filled : wrong) += 1;
-      if (!in_neighbour || past_body <= 0) (pixel.kind == SpanKind::black ? black : wrong) += 1;
+      if (neighbour) (pixel.kind == SpanKind::kCamera && pixel.taps[0].camera != 3 ? filled : wrong) += 1;
+      if (!in_neighbour || past_body <= 0) (pixel.kind == SpanKind::kBlack ? black : wrong) += 1;
     }
   CHECK(wrong == 0);
   CHECK(filled > 100);

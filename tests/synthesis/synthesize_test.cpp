@@ -78,8 +78,8 @@ void for_each_defined_value(const DecodedLut& lut, const std::vector<cv::Mat>& f
         for (int i = 0; i < pixel.tap_count(); ++i)
           mapped[i] = mapping.curves[pixel.taps[i].camera][c]
                                     [defined_sample(frames[pixel.taps[i].camera], pixel.taps[i], c)];
-        if (pixel.kind == SpanKind::camera) value = mapped[0];
-        if (pixel.kind == SpanKind::blend)
+        if (pixel.kind == SpanKind::kCamera) value = mapped[0];
+        if (pixel.kind == SpanKind::kBlend)
           value = static_cast<int>(
               std::lround((mapped[0] * pixel.weight + mapped[1] * (255 - pixel.weight)) / 255.0));
         f(column, row, c, value);
@@ -203,7 +203,7 @@ TEST_CASE("statistics are the sums over all pixels that blend, block by block an
 
   std::map<std::array<uint32_t, 3>, OverlapBlock> expected;
   for (const DecodedPixel& pixel : f.decoded.pixels) {
-    if (pixel.kind != SpanKind::blend) continue;
+    if (pixel.kind != SpanKind::kBlend) continue;
     const auto a = static_cast<uint16_t>(pixel.taps[0].camera),
                b = static_cast<uint16_t>(pixel.taps[1].camera);
     OverlapBlock& block = expected[{pixel.block, a, b}];

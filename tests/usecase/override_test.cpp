@@ -23,7 +23,7 @@ Faults faults_with(const std::vector<std::string>& texts) {
 
 }  // namespace
 
-TEST_CASE("--set changes parameters of links and settings") {
+TEST_CASE("an override by --set changes parameters of links and settings") {
   const auto use_case = with({"synthesis.kernel=portable", "view.size_px=[440,540]",
                               "view.metres_per_px=0.01", "output=a=b.png", "sync.delta_ms=20"});
   REQUIRE(use_case);
@@ -56,7 +56,7 @@ TEST_CASE("every wrong --set is reported at once, by its own text") {
   check_fault(faults, "--set veiw.size_px=[1,2]: error", {"did you mean \"view\"?"});
 }
 
-TEST_CASE("--set needs a target that has values") {
+TEST_CASE("an override by --set needs a target that has values") {
   const auto faults = faults_with({"edges=[]", "synthesis=3", "view=3", "rig.value=x", "nonsense"});
   CHECK(faults.size() == 5);
   check_fault(faults, "--set edges=[]: error",
