@@ -14,22 +14,22 @@ struct Document::Content {
   std::unordered_map<std::string, Location> places;  // by JSON pointer
 };
 
+std::string member_pointer(const std::string& object, std::string_view key) {
+  std::string pointer = object + "/";
+  for (char c : key) {
+    if (c == '~')
+      pointer += "~0";
+    else if (c == '/')
+      pointer += "~1";
+    else
+      pointer += c;
+  }
+  return pointer;
+}
+
 namespace {
 
 using Json = nlohmann::json;
-
-std::string escaped(const std::string& key) {
-  std::string out;
-  for (char c : key) {
-    if (c == '~')
-      out += "~0";
-    else if (c == '/')
-      out += "~1";
-    else
-      out += c;
-  }
-  return out;
-}
 
 /// Counts what the parser has taken, so that the builder below knows where it stands.
 struct Cursor {
@@ -84,7 +84,7 @@ class Builder : public nlohmann::json_sax<Json> {
     const Location place = next_token();
     Level& level = levels_.back();
     if (level.value->contains(v)) {
-      report(place, level.pointer + "/" + escaped(v), "this key stands twice in its object");
+      report(place, member_pointer(level.pointer, v), "this key stands twice in its object");
     }
     level.key = v;
     return true;
@@ -140,7 +140,7 @@ class Builder : public nlohmann::json_sax<Json> {
         parent.value->push_back(nullptr);
         slot = &parent.value->back();
       } else {
-        pointer = parent.pointer + "/" + escaped(parent.key);
+        pointer = member_pointer(parent.pointer, parent.key);
         slot = &(*parent.value)[parent.key];
       }
     }

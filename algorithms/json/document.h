@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 
 #include "algorithms/json/fault.h"
 
@@ -15,6 +16,9 @@ constexpr int kDeepest = 64;
 
 /// A whole text file.
 Result<std::string> read_text(const std::filesystem::path& path);
+
+/// JSON pointer of an object's member, "~" and "/" in its key escaped.
+std::string member_pointer(const std::string& object, std::string_view key);
 
 class Document {
  public:

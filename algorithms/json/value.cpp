@@ -23,19 +23,6 @@ std::string plain(double v) {
   return out.str();
 }
 
-std::string child(const std::string& pointer, std::string_view key) {
-  std::string out = pointer + "/";
-  for (char c : key) {
-    if (c == '~')
-      out += "~0";
-    else if (c == '/')
-      out += "~1";
-    else
-      out += c;
-  }
-  return out;
-}
-
 }  // namespace
 
 std::string Range::text() const {
@@ -91,7 +78,7 @@ Value Value::optional(std::string_view key) const {
   if (is_object()) {
     if (auto it = json_->find(std::string(key)); it != json_->end()) found = &*it;
   }
-  return Value(*document_, *faults_, found, child(pointer_, key));
+  return Value(*document_, *faults_, found, member_pointer(pointer_, key));
 }
 
 void Value::only(const std::vector<std::string>& keys) const {
@@ -110,7 +97,7 @@ std::vector<std::pair<std::string, Value>> Value::members() const {
     return list;
   }
   for (const auto& [key, member] : json_->items()) {
-    list.emplace_back(key, Value(*document_, *faults_, &member, child(pointer_, key)));
+    list.emplace_back(key, Value(*document_, *faults_, &member, member_pointer(pointer_, key)));
   }
   return list;
 }
@@ -123,7 +110,7 @@ std::vector<Value> Value::items() const {
     return list;
   }
   for (size_t i = 0; i < json_->size(); ++i) {
-    list.push_back(Value(*document_, *faults_, &(*json_)[i], child(pointer_, std::to_string(i))));
+    list.push_back(Value(*document_, *faults_, &(*json_)[i], member_pointer(pointer_, std::to_string(i))));
   }
   return list;
 }

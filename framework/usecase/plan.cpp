@@ -19,16 +19,12 @@ int index_of(const std::vector<std::string>& names, const std::string& name) {
   return it == names.end() ? kNoPort : static_cast<int>(it - names.begin());
 }
 
-void take_links(Plan& plan, const Catalogue& catalogue, Faults& faults) {
+void take_links(Plan& plan, const Catalogue& catalogue) {
   for (const LinkEntry& entry : plan.use_case.links) {
     PlannedLink planned;
     planned.entry = entry;
     planned.link = catalogue.make(entry.type);
-    if (planned.link) {
-      planned.description = planned.link->describe();
-    } else {
-      faults.push_back(entry.origin.fault("unknown link type \"" + entry.type + "\""));
-    }
+    if (planned.link) planned.description = planned.link->describe();
     planned.input_edges.assign(planned.description.inputs.size(), -1);
     planned.output_edges.assign(planned.description.outputs.size(), -1);
     plan.links.push_back(std::move(planned));
@@ -46,7 +42,8 @@ void place_links(Plan& plan, Faults& faults) {
   std::vector<const SocCore*> places;
   for (const PlannedLink& planned : plan.links) {
     const SocCore* core = plan.soc.find(planned.entry.core);
-    if (!core) faults.push_back(planned.entry.core_origin.fault(no_such_core(planned.entry.core, plan.soc)));
+    if (!core && !planned.entry.core.empty())
+      faults.push_back(planned.entry.core_origin.fault(no_such_core(planned.entry.core, plan.soc)));
     places.push_back(core);
   }
   for (const SocCore& core : plan.soc.cores) {
@@ -106,10 +103,7 @@ void take_edges(Plan& plan, Faults& faults) {
     edge.entry = entry;
     edge.from_link = index_of(names, entry.from_link);
     edge.to_link = index_of(names, entry.to_link);
-    if (edge.from_link < 0 || edge.to_link < 0) {
-      faults.push_back(entry.origin.fault("there is no such link"));
-      continue;
-    }
+    if (edge.from_link < 0 || edge.to_link < 0) continue;
     const PlannedLink& from = plan.links[static_cast<size_t>(edge.from_link)];
     const PlannedLink& to = plan.links[static_cast<size_t>(edge.to_link)];
     edge.from_port = find_port(from, entry.from_port, true, entry.origin, faults);
@@ -143,7 +137,7 @@ Result<Plan> make_plan(UseCase use_case, Soc soc, const Catalogue& catalogue) {
   plan.use_case = std::move(use_case);
   plan.soc = std::move(soc);
   Faults faults;
-  take_links(plan, catalogue, faults);
+  take_links(plan, catalogue);
   place_links(plan, faults);
   take_edges(plan, faults);
   check_inputs(plan, faults);
@@ -153,6 +147,17 @@ Result<Plan> make_plan(UseCase use_case, Soc soc, const Catalogue& catalogue) {
   if (!faults.empty()) return tl::unexpected(std::move(faults));
   mark_main_way(plan);
   return plan;
+}
+
+Faults plan_faults(UseCase use_case, Soc soc, const Catalogue& catalogue) {
+  Plan plan;
+  plan.use_case = std::move(use_case);
+  plan.soc = std::move(soc);
+  Faults faults;
+  take_links(plan, catalogue);
+  place_links(plan, faults);
+  take_edges(plan, faults);
+  return faults;
 }
 
 }  // namespace svchain

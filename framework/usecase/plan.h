@@ -40,6 +40,8 @@ struct Plan {
 };
 
 Result<Plan> make_plan(UseCase use_case, Soc soc, const Catalogue& catalogue);
+/// What the planner finds in a use case that was read with faults, what follows from those left out.
+Faults plan_faults(UseCase use_case, Soc soc, const Catalogue& catalogue);
 
 /// Pictures of a plan, one colour per core, IPC edges marked with their ipc_out / ipc_in pair.
 std::string graph_dot(const Plan& plan);

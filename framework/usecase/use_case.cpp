@@ -73,13 +73,13 @@ std::vector<EdgeEntry> read_edges(const Value& root, const std::vector<LinkEntry
   return edges;
 }
 
-Result<UseCase> read(const Document& document, const Catalogue& catalogue,
-                     const std::vector<Override>& overrides) {
+ReadUseCase read(const Document& document, const Catalogue& catalogue,
+                 const std::vector<Override>& overrides) {
   Faults faults;
   const Value root(document, faults);
   if (!root.is_object()) {
     root.members();  // says so
-    return tl::unexpected(faults);
+    return {std::nullopt, std::move(faults)};
   }
   check_keys(root, catalogue);
   UseCase use_case;
@@ -94,8 +94,12 @@ Result<UseCase> read(const Document& document, const Catalogue& catalogue,
   use_case.links_origin = origin_of(root.optional("links"));
   use_case.edges = read_edges(root, use_case.links);
   apply(overrides, catalogue, use_case, faults);
-  if (!faults.empty()) return tl::unexpected(std::move(faults));
-  return use_case;
+  return {std::move(use_case), std::move(faults)};
+}
+
+Result<UseCase> sound(ReadUseCase read) {
+  if (!read.faults.empty()) return tl::unexpected(std::move(read.faults));
+  return std::move(*read.use_case);
 }
 
 }  // namespace
@@ -109,18 +113,23 @@ Result<std::vector<std::string>> read_plugins(const std::filesystem::path& path)
   return plugins;
 }
 
+ReadUseCase read_as_far_as_it_goes(const std::filesystem::path& path, const Catalogue& catalogue,
+                                   const std::vector<Override>& overrides) {
+  const auto document = Document::read(path);
+  if (!document) return {std::nullopt, document.error()};
+  return read(*document, catalogue, overrides);
+}
+
 Result<UseCase> read_use_case(const std::filesystem::path& path, const Catalogue& catalogue,
                               const std::vector<Override>& overrides) {
-  const auto document = Document::read(path);
-  if (!document) return tl::unexpected(document.error());
-  return read(*document, catalogue, overrides);
+  return sound(read_as_far_as_it_goes(path, catalogue, overrides));
 }
 
 Result<UseCase> parse_use_case(const std::string& text, const std::string& file, const Catalogue& catalogue,
                                const std::vector<Override>& overrides) {
   const auto document = Document::parse(text, file);
   if (!document) return tl::unexpected(document.error());
-  return read(*document, catalogue, overrides);
+  return sound(read(*document, catalogue, overrides));
 }
 
 }  // namespace svchain

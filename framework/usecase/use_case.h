@@ -64,6 +64,13 @@ struct Override {
 
 /// Plug-ins named in the file are needed before its links can be checked: reads only them.
 Result<std::vector<std::string>> read_plugins(const std::filesystem::path& path);
+/// What a file says as far as it can be read, with its faults: the planner may find more in it (plan_faults).
+struct ReadUseCase {
+  std::optional<UseCase> use_case;
+  Faults faults;
+};
+ReadUseCase read_as_far_as_it_goes(const std::filesystem::path& path, const Catalogue& catalogue,
+                                   const std::vector<Override>& overrides = {});
 Result<UseCase> read_use_case(const std::filesystem::path& path, const Catalogue& catalogue,
                               const std::vector<Override>& overrides = {});
 Result<UseCase> parse_use_case(const std::string& text, const std::string& file, const Catalogue& catalogue,

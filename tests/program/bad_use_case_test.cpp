@@ -147,3 +147,17 @@ TEST_CASE("a plug-in that is not there is named") {
   const auto said = refused([](Json&) {}, {"--plugin", "nowhere.so"}).err;
   CHECK_THAT(said, Contains("nowhere.so"));
 }
+
+TEST_CASE("what is wrong with keys, types, cores and ports is shown all at once") {
+  const TemporaryFolder folder;
+  Json use_case = shipped_use_case("2dsv_2dsp");
+  use_case["links"]["sync"]["core"] = "IPU9";
+  use_case["links"]["dup"]["params"] = {{"outputs", 2}};
+  use_case["edges"][0] = "capture.front -> sync.fornt";
+  write_json(folder.path() / "bad.json", use_case);
+  const auto outcome = svchain_program({"--usecase", folder.path() / "bad.json"});
+  CHECK(outcome.status == 2);
+  CHECK_THAT(outcome.err, Contains("unknown parameter \"outputs\""));
+  CHECK_THAT(outcome.err, Contains("has no core \"IPU9\""));
+  CHECK_THAT(outcome.err, Contains("did you mean \"front\"?"));
+}

@@ -48,8 +48,9 @@ std::optional<UseCase> read(const UseCaseRequest& request, Catalogue& catalogue,
 
   std::vector<Override> overrides;
   for (const std::string& set : request.sets) overrides.push_back({set});
-  auto use_case = taken(read_use_case(*file, catalogue, overrides), faults);
-  if (!use_case || faults.size() > sound) return std::nullopt;
+  auto [use_case, found] = read_as_far_as_it_goes(*file, catalogue, overrides);
+  append(faults, found);
+  if (!use_case || (faults.size() > sound && found.empty())) return std::nullopt;
   override_setting(*use_case, "input", request.input);
   override_setting(*use_case, "output", request.output);
   override_setting(*use_case, "rig", request.rig);
@@ -105,8 +106,12 @@ Result<PlannedUseCase> plan_use_case(const UseCaseRequest& request) {
     return tl::unexpected(std::move(faults));
   }
   const Faults of_rig = rig_faults(*use_case);
+  const bool faulty = !faults.empty();
   if (auto soc = soc_of(*use_case, faults)) {
-    if (auto plan = taken(make_plan(std::move(*use_case), std::move(*soc), *planned.catalogue), faults)) {
+    if (faulty) {
+      append(faults, plan_faults(std::move(*use_case), std::move(*soc), *planned.catalogue));
+    } else if (auto plan =
+                   taken(make_plan(std::move(*use_case), std::move(*soc), *planned.catalogue), faults)) {
       planned.plan = std::move(*plan);
     }
   }
