@@ -6,37 +6,25 @@
 
 #include <array>
 
-#include "algorithms/geometry/angles.h"
-#include "algorithms/geometry/lens.h"
+#include "algorithms/geometry/radial_lens.h"
 
 namespace svchain::geometry {
 
-class KannalaBrandt : public Lens {
+struct KannalaBrandtCurve {
+  static constexpr const char* kModel = "kannala_brandt";
+  std::array<double, 4> k;
+  double radius(double angle_rad) const;
+  double slope(double angle_rad) const;
+};
+
+class KannalaBrandt : public RadialLens<KannalaBrandtCurve> {
  public:
   /// The largest angle is cut down to the first turning point of r where that is smaller.
   KannalaBrandt(Eigen::Vector2d focal_px, Eigen::Vector2d centre_px, std::array<double, 4> k,
-                double max_angle_rad = kUsualMaxAngleRad);
+                double max_angle_rad = kUsualMaxAngleRad)
+      : RadialLens({k}, focal_px, centre_px, max_angle_rad) {}
 
-  std::string model() const override { return "kannala_brandt"; }
-  double max_angle_rad() const override { return max_angle_rad_; }
-  std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& ray) const override;
-  std::optional<Eigen::Vector3d> unproject(const Eigen::Vector2d& pixel) const override;
-
-  const Eigen::Vector2d& focal_px() const { return focal_px_; }
-  const Eigen::Vector2d& centre_px() const { return centre_px_; }
-  const std::array<double, 4>& k() const { return k_; }
-
- private:
-  double radius(double angle_rad) const;
-  double radius_slope(double angle_rad) const;
-  /// First angle up to `limit_rad` at which r stops rising, `limit_rad` where it never does.
-  double first_turning_point(double limit_rad) const;
-
-  Eigen::Vector2d focal_px_;
-  Eigen::Vector2d centre_px_;
-  std::array<double, 4> k_;
-  double max_angle_rad_;
-  double max_radius_;
+  const std::array<double, 4>& k() const { return curve().k; }
 };
 
 }  // namespace svchain::geometry

@@ -24,6 +24,11 @@ const char* const kFisheye =
 const char* const kTable = R"({"model":"table","angle_deg":[0,10,30,60,90],"height_mm":[0,0.3,0.9,1.6,2.1],
     "pixel_um":6.0,"centre_px":[639.5,359.5]})";
 
+const char* const kOcam =
+    R"({"model":"ocam","inverse_polynomial":[502.65,320],"affine":[1,0,0],"centre_px":[359.5,639.5]})";
+const char* const kMei =
+    R"({"model":"mei","xi":1.4,"focal_px":[700,710],"centre_px":[640,360],"k":[-0.2,0.05,0.001,-0.002]})";
+
 std::string rig_text(const std::string& lens) {
   std::string camera = kCamera;
   camera.replace(camera.find("LENS"), 4, lens);
@@ -92,7 +97,8 @@ TEST_CASE("damaged SoC files are read or refused with a reason") {
 }
 
 TEST_CASE("damaged rigs are read or refused with a reason") {
-  const std::vector<std::string> texts = {rig_text(kFisheye), rig_text(kTable)};
+  const std::vector<std::string> texts = {rig_text(kFisheye), rig_text(kTable), rig_text(kOcam),
+                                          rig_text(kMei)};
   for (const auto& text : texts) {
     const auto rig = geometry::parse_rig(text, "r.json");
     if (!rig) FAIL(rig.error().front().text());

@@ -92,6 +92,48 @@ TEST_CASE("a rig survives being written and read, to the last bit") {
   }
 }
 
+TEST_CASE("every lens model survives being written and read, to the last bit") {
+  for (
+      const std::string lens :
+      {R"({"model":"polynomial","focal_px":[1,1.02],"centre_px":[640.1,359.5],"k":[339.749,-31.988,48.275,-7.201]})",
+       R"({"model":"ocam","inverse_polynomial":[502.65,320,0.1],"affine":[1.001,0.002,-0.003],"centre_px":[359.1,640.3]})",
+       R"({"model":"mei","xi":1.4,"focal_px":[700,710],"centre_px":[640,360],"k":[-0.2,0.05,0.001,-0.002]})",
+       R"({"model":"eucm","alpha":0.61,"beta":1.07,"focal_px":[340,342],"centre_px":[640,360],"max_angle_deg":110})",
+       R"({"model":"double_sphere","xi":-0.18,"alpha":0.59,"focal_px":[340,342],"centre_px":[640,360]})",
+       R"({"model":"pinhole","focal_px":[300,310],"centre_px":[640,360],"k":[-0.3,0.1,0.001,-0.002,-0.012]})"}) {
+    INFO(lens);
+    const auto first = parse_rig(rig_with(camera(lens)), "a.json");
+    if (!first) FAIL(first.error().front().text());
+    const std::string text = rig_text(*first);
+    const auto second = parse_rig(text, "b.json");
+    REQUIRE(second);
+    CHECK(rig_text(*second) == text);
+    const Eigen::Vector3d ray(0.3, -0.5, 0.4);
+    CHECK(*first->cameras[0].lens->project(ray) == *second->cameras[0].lens->project(ray));
+  }
+}
+
+TEST_CASE("lenses that no camera has are refused where the file says so") {
+  const auto fault_of = [](const std::string& lens) { return only_fault(rig_with(camera(lens))); };
+  CHECK(fault_of(R"({"model":"polynomial","focal_px":[300,1],"centre_px":[640,360],"k":[300,0,0,0]})")
+            .find("/cameras/front/lens/focal_px") != std::string::npos);
+  CHECK(fault_of(R"({"model":"polynomial","focal_px":[1,1],"centre_px":[640,360],"k":[-300,0,0,0]})")
+            .find("/cameras/front/lens: serves no picture") != std::string::npos);
+  CHECK(
+      fault_of(R"({"model":"ocam","inverse_polynomial":[320,502.65],"affine":[1,0,0],"centre_px":[360,640]})")
+          .find("about 0 px on the axis") != std::string::npos);
+  CHECK(
+      fault_of(R"({"model":"ocam","inverse_polynomial":[502.65,320],"affine":[0,1,1],"centre_px":[360,640]})")
+          .find("/cameras/front/lens/affine: expected c, d, e") != std::string::npos);
+  CHECK(
+      fault_of(R"({"model":"double_sphere","xi":-1,"alpha":0.5,"focal_px":[340,342],"centre_px":[640,360]})")
+          .find("/cameras/front/lens/xi") != std::string::npos);
+  CHECK(
+      fault_of(
+          R"({"model":"pinhole","focal_px":[300,310],"centre_px":[640,360],"k":[0,0,0,0,0],"max_angle_deg":90})")
+          .find("expected at most 80.0000") != std::string::npos);
+}
+
 TEST_CASE("largest angles in radians survive being written in degrees") {
   auto rig = *parse_rig(rig_with(camera(kFisheye)), "a.json");
   for (const double angle : {1.0, 1.1, 1.2345678901234567, radians(87.3), radians(95), std::sqrt(2.0)}) {

@@ -15,7 +15,8 @@ TEST_CASE("list tells the links with their ports and parameters, the use cases, 
                             Contains("view.size_px"));
   CHECK_THAT(svchain_program({"list", "usecases"}).out, Contains("2dsv_2dsp"));
   CHECK_THAT(svchain_program({"list", "socs"}).out, Contains("tda3x") && Contains("EVE1"));
-  CHECK_THAT(svchain_program({"list", "lenses"}).out, Contains("kannala_brandt"));
+  CHECK_THAT(svchain_program({"list", "lenses"}).out,
+             Contains("kannala_brandt") && Contains("double_sphere"));
   CHECK_THAT(svchain_program({"list"}).out, Contains("2dsv_2dsp") && Contains("kannala_brandt"));
   CHECK(svchain_program({"list", "rigs"}).status == 2);
 }

@@ -36,11 +36,19 @@ int schema(const std::string& kind);
 struct ImportOptions {
   std::string format;
   std::vector<std::filesystem::path> files;
+  std::optional<std::filesystem::path> rig;  // nominal: vehicle and poses for formats that have none
   std::filesystem::path output;
   // The composite that the files of "diy" lead to; what is not given is as that project has it.
   std::optional<std::vector<int>> canvas_size_px, car_min_px, car_max_px;
   std::optional<double> canvas_metres_per_px;
 };
 int import_rig(const ImportOptions& options);
+
+struct ExportOptions {
+  std::string format;
+  std::filesystem::path rig;
+  std::filesystem::path output;  // a folder
+};
+int export_rig(const ExportOptions& options);
 
 }  // namespace svchain::program

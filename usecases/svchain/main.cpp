@@ -93,9 +93,17 @@ void add_schema(CLI::App& app, Command& command) {
 void add_import(CLI::App& app, Command& command) {
   auto* import_app = app.add_subcommand("import", "makes a rig file from other programs' calibrations");
   const auto options = std::make_shared<ImportOptions>();
-  import_app->add_option("FORMAT", options->format, "diy or lens_table_homography")->required();
-  import_app->add_option("FILES", options->files, "each camera's file, told by its name; the lens table")
+  import_app
+      ->add_option("FORMAT", options->format, "diy, lens_table_homography, kalibr, ros, woodscape or ocam")
       ->required();
+  import_app
+      ->add_option("FILES", options->files,
+                   "each camera's file, told by its name; the lens table; a camchain")
+      ->required();
+  import_app
+      ->add_option("--rig", options->rig,
+                   "a nominal rig: the vehicle and the poses, for formats that have none (kalibr, ros, ocam)")
+      ->type_name("NOMINAL.json");
   import_app->add_option("--output", options->output, "the rig file to write")
       ->required()
       ->type_name("RIG.json");
@@ -110,6 +118,17 @@ void add_import(CLI::App& app, Command& command) {
                    "diy: scale of the composite (0.01)")
       ->type_name("M");
   import_app->callback([options, &command] { command = [options] { return import_rig(*options); }; });
+}
+
+void add_export(CLI::App& app, Command& command) {
+  auto* export_app = app.add_subcommand("export", "writes a rig's lenses for other programs");
+  const auto options = std::make_shared<ExportOptions>();
+  export_app->add_option("FORMAT", options->format, "kalibr or ros")->required();
+  export_app->add_option("--rig", options->rig, "the rig file to read")->required()->type_name("RIG.json");
+  export_app->add_option("--output", options->output, "the folder to write into")
+      ->required()
+      ->type_name("DIR");
+  export_app->callback([options, &command] { command = [options] { return export_rig(*options); }; });
 }
 
 std::vector<std::string> option_names(const CLI::App& app) {
@@ -166,6 +185,7 @@ int obey(int argc, char** argv) {
   add_graph(app, command);
   add_schema(app, command);
   add_import(app, command);
+  add_export(app, command);
   app.require_subcommand(0, 1);
   for (CLI::App* sub : app.get_subcommands({})) sub->allow_extras();
 
