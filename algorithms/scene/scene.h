@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -76,6 +77,12 @@ struct Response {
   double noise_sigma = 0;  // grey levels
 };
 
+/// How far off the nominal rig may be, each way and per axis of the vehicle (nominal_rig.h).
+struct NominalError {
+  std::optional<double> position_m;  // left out: 5 cm on a car, less on a toy
+  double rotation_deg = 3;
+};
+
 struct Scene {
   geometry::Rig rig;
   Ground ground;
@@ -84,6 +91,7 @@ struct Scene {
   Sky sky;
   Path path;
   std::array<Response, 4> responses;  // front, right, rear, left
+  NominalError nominal;
   double frame_rate_hz = 30;
   double timestamp_jitter_ms = 0;  // each way
   uint64_t seed = 1;

@@ -31,8 +31,8 @@ TEST_CASE("a scene of nothing but a rig is a bare ground under a sky") {
 }
 
 TEST_CASE("a scene file's numbers arrive where they belong") {
-  const auto scene =
-      parsed(R"({"rig": "../rigs/car.json", "seed": 5, "frame_rate_hz": 25, "timestamp_jitter_ms": 4,
+  const auto scene = parsed(
+      R"({"rig": "../rigs/car.json", "seed": 5, "nominal": {"position_m": 0.1, "rotation_deg": 2}, "frame_rate_hz": 25, "timestamp_jitter_ms": 4,
     "path": {"travel_m": 1, "period_s": 6, "turn_radius_m": 9},
     "ground": {"colour_bgr": [1, 2, 3], "metres_per_texel": 0.01, "half_extent_m": 5},
     "paint": [{"type": "zebra", "pose": {"x_m": 1, "y_m": 2}, "length_m": 2, "width_m": 5, "bars": 3, "colour_bgr": [9, 8, 7]}],
@@ -40,6 +40,8 @@ TEST_CASE("a scene file's numbers arrive where they belong") {
     "cameras": {"rear": {"gain_bgr": [0.9, 1, 1.1], "gamma": 1.1, "falloff": [0.2, 0.1], "noise_sigma": 2}}})");
   REQUIRE(scene);
   CHECK(scene->seed == 5);
+  CHECK(scene->nominal.position_m == 0.1);
+  CHECK(scene->nominal.rotation_deg == 2);
   CHECK(scene->frame_rate_hz == 25);
   CHECK(scene->path.turn_radius_m == 9);
   CHECK(scene->ground.colour.r == 3);
@@ -99,6 +101,7 @@ TEST_CASE("a scene whose rig is missing or faulty names both files") {
 
 TEST_CASE("a scene is refused where its numbers do not go together") {
   CHECK_FALSE(parsed(R"({"rig": "../rigs/car.json", "path": {"travel_m": 3, "turn_radius_m": 2}})"));
+  CHECK_FALSE(parsed(R"({"rig": "../rigs/car.json", "nominal": {"rotation_deg": -1}})"));
   CHECK_FALSE(parsed(R"({"rig": "../rigs/car.json", "ground": {"half_extent_m": 3}})"));
   CHECK_FALSE(
       parsed(R"({"rig": "../rigs/car.json", "ground": {"half_extent_m": 30, "metres_per_texel": 0.001}})"));

@@ -43,4 +43,12 @@ struct ImportOptions {
 };
 int import_rig(const ImportOptions& options);
 
+/// Numbers as they were typed.
+struct SimulateOptions {
+  std::string scene;  // NAME or FILE
+  std::filesystem::path output;
+  std::optional<std::string> frames, seed;
+};
+int simulate(const SimulateOptions& options);
+
 }  // namespace svchain::program
