@@ -1,7 +1,7 @@
 #pragma once
-// What a simulated scene consists of: a vehicle with its true rig on a painted ground under a sky, its way
-// over time, and what each camera makes of the light. World frame: the vehicle's frame at time 0. Colours are
-// 8-bit, as an ideal camera would give them. Plain values.
+// What a simulated scene consists of: a vehicle with its true rig on a painted ground under a sky, things
+// that stand there, the vehicle's way over time, and what each camera makes of the light. World frame: the
+// vehicle's frame at time 0. Colours are 8-bit, as an ideal camera would give them. Plain values.
 
 #include <Eigen/Core>
 #include <array>
@@ -41,6 +41,21 @@ struct Checkerboard {
     return world_from_chart *
            Eigen::Vector2d((i - squares[0] / 2.0) * square_m, (j - squares[1] / 2.0) * square_m);
   }
+};
+
+/// A box that stands on the ground, upright, the middle of its bottom at the pose.
+struct Box {
+  Pose2 world_from_box;
+  Eigen::Vector3d size_m = {0, 0, 0};  // along the pose's x and y, and up
+  Colour colour;
+};
+
+/// An upright cylinder that stands on the ground.
+struct Post {
+  Eigen::Vector2d place_m = {0, 0};
+  double radius_m = 0;
+  double height_m = 0;
+  Colour colour;
 };
 
 /// Asphalt: fine grain and large blotches, both as a standard deviation relative to the colour.
@@ -88,6 +103,8 @@ struct Scene {
   Ground ground;
   std::vector<Patch> paint;  // in order, later over earlier
   std::vector<Checkerboard> charts;
+  std::vector<Box> boxes;
+  std::vector<Post> posts;
   Sky sky;
   Path path;
   std::array<Response, 4> responses;  // front, right, rear, left

@@ -5,6 +5,7 @@
 
 #include "algorithms/json/value.h"
 #include "algorithms/scene/paint_json.h"
+#include "algorithms/scene/solids_json.h"
 
 namespace svchain::scene {
 
@@ -133,13 +134,15 @@ geometry::Rig read_rig_of(const Value& name, Faults& faults) {
 Result<Scene> from_document(const json::Document& document) {
   Faults faults;
   const Value root(document, faults);
-  root.only({"rig", "ground", "paint", "charts", "sky", "path", "cameras", "nominal", "frame_rate_hz",
-             "timestamp_jitter_ms", "seed"});
+  root.only({"rig", "ground", "paint", "charts", "boxes", "posts", "sky", "path", "cameras", "nominal",
+             "frame_rate_hz", "timestamp_jitter_ms", "seed"});
   Scene scene;
   scene.rig = read_rig_of(root.required("rig"), faults);
   scene.ground = read_ground(root.optional("ground"));
   scene.paint = read_paint(root.optional("paint"));
   scene.charts = read_charts(root.optional("charts"));
+  scene.boxes = read_boxes(root.optional("boxes"));
+  scene.posts = read_posts(root.optional("posts"));
   scene.sky = read_sky(root.optional("sky"));
   scene.path = read_path(root.optional("path"));
   scene.responses = read_responses(root.optional("cameras"));

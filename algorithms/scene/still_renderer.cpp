@@ -55,7 +55,9 @@ Corners corners_of(const cv::Mat& rays, int x, int y) {
 struct Look {
   const World& world;
   Pose2 pose;
-  Vector3d eye;
+  Vector3d eye;  // in the vehicle's frame
+  const Solids& solids;
+  Turn turn = Turn(pose.yaw_rad);
 
   Eigen::Vector2d ground_point(const Vector3d& ray) const {
     return pose * (eye - eye.z() / ray.z() * ray).head<2>();
@@ -70,6 +72,12 @@ struct Look {
     const double reach = ground_point(ray).norm() + along;
     const auto level = world.level_for(std::min(across, along / kRays), reach);
     return level ? &world.ground()[*level] : nullptr;
+  }
+
+  std::optional<Vector3d> solid_on(const Vector3d& ray) const {
+    if (solids.spheres().empty()) return std::nullopt;
+    const Eigen::Vector2d foot = pose * eye.head<2>();
+    return solids.first_seen({foot.x(), foot.y(), eye.z()}, (turn * ray).normalized());
   }
 
   Vector3d surroundings(const Vector3d& ray) const {
@@ -87,7 +95,9 @@ struct Look {
     Vector3d sum = Vector3d::Zero();
     for (int k = 0; k < kRays * kRays; ++k) {
       const Vector3d ray = corners.at((k % kRays + 0.5) / kRays, (k / kRays + 0.5) / kRays);
-      if (level) {
+      if (const auto solid = solid_on(ray)) {
+        sum += *solid;
+      } else if (level) {
         const Eigen::Vector2d place = ground_point(ray);
         sum += sample(level->texture, level->texel_at(place.x()), level->texel_at(place.y()));
       } else {
@@ -114,19 +124,10 @@ cv::Mat blurred(const cv::Mat& light, cv::Point step) {
   return out;
 }
 
-/// As Sensor takes it.
-uint64_t packed(const cv::Vec3f& light) {
-  uint64_t word = 0;
-  for (int c = 0; c < 3; ++c) {
-    const float level = std::clamp(light[c], 0.0f, 255.0f);
-    word |= static_cast<uint64_t>(std::lround(level * 256)) << 16 * c;
-  }
-  return word;
-}
-
 }  // namespace
 
-StillRenderer::StillRenderer(std::shared_ptr<const World> world) : world_(std::move(world)) {
+StillRenderer::StillRenderer(std::shared_ptr<const World> world)
+    : world_(std::move(world)), solids_(world_->scene()) {
   const Scene& scene = world_->scene();
   for (size_t camera = 0; camera < scene.rig.cameras.size(); ++camera) {
     rays_.push_back(corner_rays(scene.rig.cameras[camera]));
@@ -138,7 +139,7 @@ StillRenderer::StillRenderer(std::shared_ptr<const World> world) : world_(std::m
 cv::Mat StillRenderer::render(size_t camera, double time_s, uint64_t frame) const {
   const Scene& scene = world_->scene();
   const Look look{*world_, world_from_vehicle(scene.path, time_s),
-                  scene.rig.cameras[camera].vehicle_from_camera.translation};
+                  scene.rig.cameras[camera].vehicle_from_camera.translation, solids_};
   const cv::Mat& rays = rays_[camera];
   cv::Mat light(rays.rows - 1, rays.cols - 1, CV_32FC3, cv::Scalar::all(0));
   cv::Mat bgr(light.size(), CV_8UC3);
@@ -156,7 +157,8 @@ cv::Mat StillRenderer::render(size_t camera, double time_s, uint64_t frame) cons
     for (int x = 0; x < light.cols; ++x) {
       const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(light.cols) + static_cast<size_t>(x);
       auto& out = bgr.at<cv::Vec3b>(y, x);
-      const uint64_t word = packed(light.at<cv::Vec3f>(y, x));
+      const auto& arrived = light.at<cv::Vec3f>(y, x);
+      const uint64_t word = packed_light({arrived[0], arrived[1], arrived[2]});
       sensors_[camera].develop(&word, &falloffs_[camera][pixel], 1, hash(frame, pixel), out.val);
       if (!corners_of(rays, x, y).seen()) out = {};
     }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "algorithms/scene/sensor.h"
+#include "algorithms/scene/solids.h"
 #include "algorithms/scene/world.h"
 
 namespace svchain::scene {
@@ -26,6 +27,7 @@ class StillRenderer {
 
  private:
   std::shared_ptr<const World> world_;
+  Solids solids_;
   std::vector<cv::Mat> rays_;  // by camera: CV_32FC3, unit, in the vehicle's frame, of the pixels' corners
   std::vector<std::vector<uint16_t>> falloffs_;
   std::vector<Sensor> sensors_;
