@@ -1,7 +1,7 @@
 #pragma once
 // Pictures of a scene for calibrating and judging: what Renderer shows, but each pixel the mean over its area
 // as an optical system with a little blur would give it. Sixteen rays a pixel through the true lens, and a
-// Gaussian of 0.5 px. Some hundred times slower than Renderer. Holds the rays (12 bytes a pixel), made once;
+// Gaussian of 0.5 px. Dozens of times slower than Renderer. Holds the rays (12 bytes a pixel), made once;
 // immutable: different threads may render at the same time.
 
 #include <cstdint>
