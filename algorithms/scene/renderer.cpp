@@ -136,6 +136,7 @@ Renderer::Renderer(std::shared_ptr<const World> world) : world_(std::move(world)
   const Scene& scene = world_->scene();
   for (size_t camera = 0; camera < scene.rig.cameras.size(); ++camera) {
     lines_.push_back(trace_sight_lines(*world_, camera));
+    solids_.emplace_back(scene, camera);
     sensors_.emplace_back(scene.responses[camera], hash(scene.seed, camera));
   }
 }
@@ -166,6 +167,7 @@ void Renderer::render(size_t camera, double time_s, uint64_t frame, cv::Mat& bgr
         const int count = std::min(kMost, span.first + span.count - first);
         const size_t pixel = row_start + static_cast<size_t>(first);
         gather(lines, span, mappings[span.target], pixel, count, light);
+        solids_[camera].cover(pose, pixel, static_cast<size_t>(count), light);
         sensor.develop(light, &lines.falloff[pixel], count, hash(frame, pixel), out + 3 * first);
       }
     }

@@ -10,6 +10,7 @@
 
 #include "algorithms/scene/sensor.h"
 #include "algorithms/scene/sight_lines.h"
+#include "algorithms/scene/solid_finder.h"
 #include "algorithms/scene/world.h"
 
 namespace svchain::scene {
@@ -27,6 +28,7 @@ class Renderer {
  private:
   std::shared_ptr<const World> world_;
   std::vector<SightLines> lines_;
+  std::vector<SolidFinder> solids_;
   std::vector<Sensor> sensors_;
 };
 

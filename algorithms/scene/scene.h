@@ -1,11 +1,12 @@
 #pragma once
-// What a simulated scene consists of: a vehicle with its true rig on a painted ground under a sky, its way
-// over time, and what each camera makes of the light. World frame: the vehicle's frame at time 0. Colours are
-// 8-bit, as an ideal camera would give them. Plain values.
+// What a simulated scene consists of: a vehicle with its true rig on a painted ground under a sky, things
+// that stand there, the vehicle's way over time, and what each camera makes of the light. World frame: the
+// vehicle's frame at time 0. Colours are 8-bit, as an ideal camera would give them. Plain values.
 
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,21 @@ struct Checkerboard {
   }
 };
 
+/// A box that stands on the ground, upright, the middle of its bottom at the pose.
+struct Box {
+  Pose2 world_from_box;
+  Eigen::Vector3d size_m = {0, 0, 0};  // along the pose's x and y, and up
+  Colour colour;
+};
+
+/// An upright cylinder that stands on the ground.
+struct Post {
+  Eigen::Vector2d place_m = {0, 0};
+  double radius_m = 0;
+  double height_m = 0;
+  Colour colour;
+};
+
 /// Asphalt: fine grain and large blotches, both as a standard deviation relative to the colour.
 struct Ground {
   Colour colour = {97, 94, 92};
@@ -76,14 +92,23 @@ struct Response {
   double noise_sigma = 0;  // grey levels
 };
 
+/// How far off the nominal rig may be, each way and per axis of the vehicle (nominal_rig.h).
+struct NominalError {
+  std::optional<double> position_m;  // left out: 5 cm on a car, less on a toy
+  double rotation_deg = 3;
+};
+
 struct Scene {
   geometry::Rig rig;
   Ground ground;
   std::vector<Patch> paint;  // in order, later over earlier
   std::vector<Checkerboard> charts;
+  std::vector<Box> boxes;
+  std::vector<Post> posts;
   Sky sky;
   Path path;
   std::array<Response, 4> responses;  // front, right, rear, left
+  NominalError nominal;
   double frame_rate_hz = 30;
   double timestamp_jitter_ms = 0;  // each way
   uint64_t seed = 1;

@@ -5,6 +5,7 @@
 
 #include "algorithms/json/value.h"
 #include "algorithms/scene/paint_json.h"
+#include "algorithms/scene/solids_json.h"
 
 namespace svchain::scene {
 
@@ -78,6 +79,15 @@ Response read_response(const Value& value) {
   return response;
 }
 
+NominalError read_nominal(const Value& value) {
+  NominalError nominal;
+  if (!value) return nominal;
+  value.only({"position_m", "rotation_deg"});
+  if (const auto position = value.optional("position_m")) nominal.position_m = position.number({0, 10, "m"});
+  nominal.rotation_deg = value.optional("rotation_deg").number({0, 45, "degrees"}, nominal.rotation_deg);
+  return nominal;
+}
+
 std::array<Response, 4> read_responses(const Value& cameras) {
   std::array<Response, 4> responses;
   if (!cameras) return responses;
@@ -124,16 +134,19 @@ geometry::Rig read_rig_of(const Value& name, Faults& faults) {
 Result<Scene> from_document(const json::Document& document) {
   Faults faults;
   const Value root(document, faults);
-  root.only({"rig", "ground", "paint", "charts", "sky", "path", "cameras", "frame_rate_hz",
-             "timestamp_jitter_ms", "seed"});
+  root.only({"rig", "ground", "paint", "charts", "boxes", "posts", "sky", "path", "cameras", "nominal",
+             "frame_rate_hz", "timestamp_jitter_ms", "seed"});
   Scene scene;
   scene.rig = read_rig_of(root.required("rig"), faults);
   scene.ground = read_ground(root.optional("ground"));
   scene.paint = read_paint(root.optional("paint"));
   scene.charts = read_charts(root.optional("charts"));
+  scene.boxes = read_boxes(root.optional("boxes"));
+  scene.posts = read_posts(root.optional("posts"));
   scene.sky = read_sky(root.optional("sky"));
   scene.path = read_path(root.optional("path"));
   scene.responses = read_responses(root.optional("cameras"));
+  scene.nominal = read_nominal(root.optional("nominal"));
   scene.frame_rate_hz = root.optional("frame_rate_hz").number({0.01, 1000}, scene.frame_rate_hz);
   const Value jitter = root.optional("timestamp_jitter_ms");
   scene.timestamp_jitter_ms = jitter.number({0, 1e5}, scene.timestamp_jitter_ms);

@@ -18,6 +18,13 @@ double respond(const Response& response, int channel, double light) {
   return std::min(255.0, 255 * std::pow(exposed, response.gamma));
 }
 
+uint64_t packed_light(const Eigen::Vector3d& bgr) {
+  uint64_t word = 0;
+  for (int c = 0; c < 3; ++c)
+    word |= static_cast<uint64_t>(std::lround(std::clamp(bgr[c], 0.0, 255.0) * 256)) << 16 * c;
+  return word;
+}
+
 Sensor::Sensor(const Response& response, uint64_t seed) : noise_(kNoise + 3 * kMostPixels) {
   for (size_t c = 0; c < 3; ++c) {
     for (size_t i = 0; i < curve_[c].size(); ++i) {

@@ -13,6 +13,9 @@ namespace svchain::scene {
 /// The curve by itself, without falloff and noise: 0..255 to 0..255.
 double respond(const Response& response, int channel, double light);
 
+/// B, G, R (0..255, clamped) as Sensor::develop takes them.
+uint64_t packed_light(const Eigen::Vector3d& bgr);
+
 class Sensor {
  public:
   Sensor(const Response& response, uint64_t seed);

@@ -73,9 +73,23 @@ uint16_t falloff_at(const Response& response, const Eigen::Vector2d& from_centre
 
 }  // namespace
 
+std::vector<uint16_t> falloff_by_pixel(const Scene& scene, size_t index) {
+  const geometry::Camera& camera = scene.rig.cameras[index];
+  const int width = camera.image_size_px.x();
+  const int height = camera.image_size_px.y();
+  const Eigen::Vector2d centre =
+      camera.lens->project({0, 0, 1}).value_or(Eigen::Vector2d(width / 2.0, height / 2.0));
+  std::vector<uint16_t> falloff;
+  falloff.reserve(static_cast<size_t>(width) * static_cast<size_t>(height));
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x)
+      falloff.push_back(falloff_at(scene.responses[index], Eigen::Vector2d(x, y) - centre, width));
+  }
+  return falloff;
+}
+
 SightLines trace_sight_lines(const World& world, size_t index) {
   const geometry::Camera& camera = world.scene().rig.cameras[index];
-  const Response& response = world.scene().responses[index];
   SightLines lines;
   lines.width = camera.image_size_px.x();
   lines.height = camera.image_size_px.y();
@@ -85,9 +99,7 @@ SightLines trace_sight_lines(const World& world, size_t index) {
   lines.x.resize(pixels);
   lines.y.resize(pixels);
   lines.stretch.resize(pixels);
-  lines.falloff.resize(pixels);
-  const Eigen::Vector2d centre =
-      camera.lens->project({0, 0, 1}).value_or(Eigen::Vector2d(lines.width / 2.0, lines.height / 2.0));
+  lines.falloff = falloff_by_pixel(world.scene(), index);
 
   std::vector<Ray> row = rays_of_row(camera, 0);
   size_t pixel = 0;
@@ -105,7 +117,6 @@ SightLines trace_sight_lines(const World& world, size_t index) {
       lines.x[pixel] = a.x;
       lines.y[pixel] = a.y;
       lines.stretch[pixel] = a.stretch;
-      lines.falloff[pixel] = falloff_at(response, Eigen::Vector2d(x, y) - centre, lines.width);
       const bool same =
           x > 0 && lines.spans.back().target == a.target && lines.spans.back().taps_log2 == a.taps_log2;
       if (!same) lines.spans.push_back({static_cast<uint16_t>(x), 0, a.target, a.taps_log2});

@@ -29,10 +29,12 @@ struct SightLines {
   std::vector<float> x, y;
   /// By pixel: distance between taps, relative to the distance of the ground point from the camera's foot.
   std::vector<float> stretch;
-  /// By pixel: 65535 / (1 + f1 q^2 + f2 q^4), the lens's falloff.
   std::vector<uint16_t> falloff;
   double foot_x_m = 0, foot_y_m = 0;
 };
+
+/// By pixel, row by row: 65535 / (1 + f1 q^2 + f2 q^4), the lens's falloff.
+std::vector<uint16_t> falloff_by_pixel(const Scene& scene, size_t camera);
 
 SightLines trace_sight_lines(const World& world, size_t camera);
 

@@ -1,5 +1,7 @@
 #include "algorithms/scene/texture.h"
 
+#include <algorithm>
+
 namespace svchain::scene {
 
 Texture halved(const Texture& fine) {
@@ -17,6 +19,21 @@ Texture halved(const Texture& fine) {
     }
   }
   return coarse;
+}
+
+Eigen::Vector3d sample(const Texture& texture, double u, double v) {
+  u = std::clamp(u, 0.0, texture.width - 1.001);
+  v = std::clamp(v, 0.0, texture.height - 1.001);
+  const int x = static_cast<int>(u);
+  const int y = static_cast<int>(v);
+  const double a = u - x;
+  const double b = v - y;
+  const auto at = [&](int i, int j) {
+    const uint32_t t = texture.row(j)[i];
+    return Eigen::Vector3d(t & 255, t >> 8 & 255, t >> 16 & 255);
+  };
+  return (1 - b) * ((1 - a) * at(x, y) + a * at(x + 1, y)) +
+         b * ((1 - a) * at(x, y + 1) + a * at(x + 1, y + 1));
 }
 
 }  // namespace svchain::scene

@@ -1,6 +1,7 @@
 #pragma once
 // A picture to sample from: texels 0x00RRGGBB, row by row. Owns its texels.
 
+#include <Eigen/Core>
 #include <bit>
 #include <cstdint>
 #include <vector>
@@ -29,6 +30,9 @@ struct Texture {
 constexpr uint32_t texel(Colour c) {
   return c.b | static_cast<uint32_t>(c.g) << 8 | static_cast<uint32_t>(c.r) << 16;
 }
+
+/// B, G, R at column u, row v, bilinear; texel centres at whole numbers, the edge's texels beyond the edge.
+Eigen::Vector3d sample(const Texture& texture, double u, double v);
 
 /// Half the size, each texel the mean of four. The sizes have to be even.
 Texture halved(const Texture& fine);

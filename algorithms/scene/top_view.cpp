@@ -1,31 +1,10 @@
 #include "algorithms/scene/top_view.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "algorithms/scene/motion.h"
 
 namespace svchain::scene {
-
-namespace {
-
-/// Bilinear; the edge's texels beyond the edge.
-Eigen::Vector3d sample(const Texture& texture, double u, double v) {
-  u = std::clamp(u, 0.0, texture.width - 1.001);
-  v = std::clamp(v, 0.0, texture.height - 1.001);
-  const int x = static_cast<int>(u);
-  const int y = static_cast<int>(v);
-  const double a = u - x;
-  const double b = v - y;
-  const auto at = [&](int i, int j) {
-    const uint32_t t = texture.row(j)[i];
-    return Eigen::Vector3d(t & 255, t >> 8 & 255, t >> 16 & 255);
-  };
-  return (1 - b) * ((1 - a) * at(x, y) + a * at(x + 1, y)) +
-         b * ((1 - a) * at(x, y + 1) + a * at(x + 1, y + 1));
-}
-
-}  // namespace
 
 cv::Mat ideal_top_view(const World& world, const geometry::View& view, double time_s) {
   constexpr int kSamples = 4;  // each way in a pixel

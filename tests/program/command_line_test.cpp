@@ -16,8 +16,8 @@ TEST_CASE("an unknown option is answered with the one that was probably meant") 
 TEST_CASE("an unknown command is answered with the known ones") {
   const auto outcome = svchain_program({"simulat", "--scene", "parking"});
   CHECK(outcome.status == 2);
-  CHECK_THAT(outcome.err,
-             Contains("unknown command \"simulat\"") && Contains("list, validate, graph, schema"));
+  CHECK_THAT(outcome.err, Contains("unknown command \"simulat\", did you mean \"simulate\"?") &&
+                              Contains("list, validate, graph, schema"));
 }
 
 TEST_CASE("bad numbers are answered with the range, all of them at once") {

@@ -4,8 +4,8 @@
 #include "algorithms/scene/renderer.h"
 #include "algorithms/scene/shapes.h"
 #include "algorithms/scene/top_view.h"
+#include "tests/allocation_count.h"
 #include "tests/catch.h"
-#include "tests/scene/allocations.h"
 #include "tests/scene/small_scene.h"
 
 using namespace svchain;
@@ -203,9 +203,9 @@ TEST_CASE("rendering a frame allocates nothing") {
   const Renderer renderer = renderer_of(scene);
   cv::Mat image(180, 320, CV_8UC3);
   const uint8_t* pixels = image.data;
-  const size_t before = testing::allocations();
+  const size_t before = testing::allocation_count();
   for (size_t camera = 0; camera < 4; ++camera) renderer.render(camera, 0.2, 5, image);
-  const size_t made = testing::allocations() - before;
+  const size_t made = testing::allocation_count() - before;
   CHECK(made == 0);
   CHECK(image.data == pixels);
 }

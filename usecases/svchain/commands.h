@@ -51,4 +51,12 @@ struct ExportOptions {
 };
 int export_rig(const ExportOptions& options);
 
+/// Numbers as they were typed.
+struct SimulateOptions {
+  std::string scene;  // NAME or FILE
+  std::filesystem::path output;
+  std::optional<std::string> frames, seed;
+};
+int simulate(const SimulateOptions& options);
+
 }  // namespace svchain::program

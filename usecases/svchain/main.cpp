@@ -131,6 +131,21 @@ void add_export(CLI::App& app, Command& command) {
   export_app->callback([options, &command] { command = [options] { return export_rig(*options); }; });
 }
 
+void add_simulate(CLI::App& app, Command& command) {
+  auto* simulate_app =
+      app.add_subcommand("simulate", "makes pictures of a simulated scene, with all that is true of them");
+  const auto options = std::make_shared<SimulateOptions>();
+  simulate_app->add_option("--scene", options->scene, "a name (parking, toy) or a file")
+      ->type_name("NAME|FILE");
+  simulate_app->add_option("--output", options->output, "the folder to make")->type_name("DIR");
+  simulate_app->add_option("--frames", options->frames, "pictures of each camera (1)")->type_name("N");
+  simulate_app
+      ->add_option("--seed", options->seed,
+                   "other noise, other ground, another nominal rig; 1 is the scene's own")
+      ->type_name("N");
+  simulate_app->callback([options, &command] { command = [options] { return simulate(*options); }; });
+}
+
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
@@ -186,6 +201,7 @@ int obey(int argc, char** argv) {
   add_schema(app, command);
   add_import(app, command);
   add_export(app, command);
+  add_simulate(app, command);
   app.require_subcommand(0, 1);
   for (CLI::App* sub : app.get_subcommands({})) sub->allow_extras();
 

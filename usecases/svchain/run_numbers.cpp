@@ -2,8 +2,6 @@
 
 #include <charconv>
 
-#include "algorithms/json/value.h"
-
 namespace svchain::program {
 
 namespace {
@@ -24,14 +22,19 @@ std::optional<Number> read(const std::string& option, const std::optional<std::s
 
 }  // namespace
 
+std::optional<uint64_t> read_whole_number(const std::string& option, const std::optional<std::string>& text,
+                                          const json::Range& range, Faults& faults) {
+  return read<uint64_t>(option, text, "a whole number", range, faults);
+}
+
 RunNumbers read_numbers(const RunOptions& options, Faults& faults) {
   RunNumbers numbers;
   Pace& pace = numbers.pace;
-  pace.frames = read<uint64_t>("--frames", options.frames, "a whole number", {1, 1e12}, faults);
+  pace.frames = read_whole_number("--frames", options.frames, {1, 1e12}, faults);
   numbers.fps = read<double>("--fps", options.fps, "a number", {0.01, 1000, "frames/s"}, faults);
   pace.real_time = numbers.fps.has_value();
   pace.fps = numbers.fps.value_or(pace.fps);
-  numbers.order_seed = read<uint64_t>("--seed", options.seed, "a whole number", {0, 1.8e19}, faults);
+  numbers.order_seed = read_whole_number("--seed", options.seed, {0, 1.8e19}, faults);
   pace.virtual_clock = options.clock == "virtual";
   if (!pace.virtual_clock && options.clock != "steady") {
     faults.push_back({"--clock",

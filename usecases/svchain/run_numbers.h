@@ -1,7 +1,8 @@
 #pragma once
-// The numbers among the options of a run.
+// The numbers among the options.
 
 #include "algorithms/json/fault.h"
+#include "algorithms/json/value.h"
 #include "framework/link/link.h"
 #include "usecases/svchain/commands.h"
 
@@ -12,6 +13,10 @@ struct RunNumbers {
   std::optional<double> fps;           // --fps: in real time, at this rate
   std::optional<uint64_t> order_seed;  // --seed: the order in which a virtual run steps its cores
 };
+
+/// All of the text, within the range; nothing where there is no text, and a fault where it is something else.
+std::optional<uint64_t> read_whole_number(const std::string& option, const std::optional<std::string>& text,
+                                          const json::Range& range, Faults& faults);
 
 /// Bad ones become faults.
 RunNumbers read_numbers(const RunOptions& options, Faults& faults);

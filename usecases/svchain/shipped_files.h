@@ -1,6 +1,6 @@
 #pragma once
-// Use cases and SoCs by name or by file: the names of those that come with the program, anything else is a
-// file. One thread.
+// Use cases, SoCs and scenes by name or by file: the names of those that come with the program, anything else
+// is a file. One thread.
 
 #include <filesystem>
 #include <string>
@@ -16,6 +16,7 @@ struct Shelf {
   const char* what;
 };
 inline constexpr Shelf kUseCases = {"usecases", "use case"};
+inline constexpr Shelf kScenes = {"configs/scenes", "scene"};
 inline constexpr Shelf kSocs = {"configs/socs", "SoC"};
 
 /// Names on a shelf, sorted.
