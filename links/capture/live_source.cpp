@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "algorithms/geometry/rig.h"
+#include "links/capture/open_video.h"
 
 namespace svchain {
 
@@ -26,7 +27,7 @@ bool open(cv::VideoCapture& capture, const std::string& url) {
   return capture.open(
              url, cv::CAP_FFMPEG,
              {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, kTimeoutMs, cv::CAP_PROP_READ_TIMEOUT_MSEC, kTimeoutMs}) ||
-         capture.open(url);
+         open_video(capture, url);
 }
 
 class LiveCamera {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "algorithms/geometry/rig.h"
+#include "links/capture/open_video.h"
 
 namespace svchain {
 
@@ -83,7 +84,7 @@ Result<std::unique_ptr<FrameSource>> open_videos(const SourceFolder& folder, con
   for (size_t c = 0; c < kCameras; ++c) {
     videos[c].path = folder.paths[c];
     const std::string file = folder.paths[c].string();
-    if (!videos[c].capture.open(file) || size_of(videos[c].capture).empty()) {
+    if (!open_video(videos[c].capture, file) || size_of(videos[c].capture).empty()) {
       faults.push_back({file, {}, "", "cannot be opened as a video"});
     }
   }
@@ -104,7 +105,8 @@ Result<std::unique_ptr<FrameSource>> open_videos(const SourceFolder& folder, con
 }
 
 std::optional<double> video_fps(const SourceFolder& folder) {
-  const cv::VideoCapture capture(folder.paths[0].string());
+  cv::VideoCapture capture;
+  open_video(capture, folder.paths[0].string());
   if (!capture.isOpened()) return std::nullopt;
   const double fps = capture.get(cv::CAP_PROP_FPS);
   return fps > 0 && std::isfinite(fps) ? std::optional(fps) : std::nullopt;
