@@ -130,16 +130,23 @@ void check_inputs(const Plan& plan, Faults& faults) {
   }
 }
 
-}  // namespace
-
-Result<Plan> make_plan(UseCase use_case, Soc soc, const Catalogue& catalogue) {
+/// Links on their cores, joined by their edges: what can be done with a use case that was read with faults,
+/// too.
+Plan lay_out(UseCase use_case, Soc soc, const Catalogue& catalogue, Faults& faults) {
   Plan plan;
   plan.use_case = std::move(use_case);
   plan.soc = std::move(soc);
-  Faults faults;
   take_links(plan, catalogue);
   place_links(plan, faults);
   take_edges(plan, faults);
+  return plan;
+}
+
+}  // namespace
+
+Result<Plan> make_plan(UseCase use_case, Soc soc, const Catalogue& catalogue) {
+  Faults faults;
+  Plan plan = lay_out(std::move(use_case), std::move(soc), catalogue, faults);
   check_inputs(plan, faults);
   order_links(plan, faults);
   check_formats(plan, faults);
@@ -150,13 +157,8 @@ Result<Plan> make_plan(UseCase use_case, Soc soc, const Catalogue& catalogue) {
 }
 
 Faults plan_faults(UseCase use_case, Soc soc, const Catalogue& catalogue) {
-  Plan plan;
-  plan.use_case = std::move(use_case);
-  plan.soc = std::move(soc);
   Faults faults;
-  take_links(plan, catalogue);
-  place_links(plan, faults);
-  take_edges(plan, faults);
+  lay_out(std::move(use_case), std::move(soc), catalogue, faults);
   return faults;
 }
 

@@ -43,7 +43,8 @@ class Capture final : public Link {
       stills_[static_cast<size_t>(port)].release();
       if (configuration.output_connected(port)) ports_.push_back(port);
     }
-    auto opened = open_source(configuration.setting("input").text("value"), {pace.fps, pace.seed, pace.real_time && !pace.virtual_clock});
+    auto opened = open_source(configuration.setting("input").text("value"),
+                              {pace.fps, pace.seed, pace.real_time && !pace.virtual_clock});
     if (!opened) {
       configuration.faults(opened.error());
       return;

@@ -63,6 +63,7 @@ TEST_CASE("the tone mapping of a frame comes from the frame before: the second d
   std::vector<int> identity(256);
   for (int v = 0; v < 256; ++v) identity[static_cast<size_t>(v)] = v;
   CHECK(curves(1) == identity);
+  CHECK(curves(2) != identity);
 }
 
 TEST_CASE("the display on host is A15, or IPU1 where there is no A15") {

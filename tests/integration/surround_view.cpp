@@ -36,6 +36,7 @@ SurroundView::SurroundView() {
   add_faulty_links(catalogue_);
   std::ofstream(folder_.path() / "rig.json") << geometry::rig_text(small_scene().rig);
   std::ofstream(folder_.path() / "scene.json") << R"({"rig":"rig.json","frame_rate_hz":30,"seed":3,
+    "cameras":{"right":{"gain_bgr":[0.8,0.85,0.9]},"rear":{"gain_bgr":[1.2,1.15,1.1]}},
     "path":{"travel_m":1.5,"period_s":4,"turn_radius_m":20},
     "ground":{"metres_per_texel":0.02,"half_extent_m":8},
     "paint":[{"type":"line","points_m":[[-8,2.5],[8,2.5]],"width_m":0.2,"colour_bgr":[230,230,230]},
