@@ -10,10 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/geometry/pose2.h"
 #include "algorithms/geometry/rig.h"
-#include "algorithms/scene/pose2.h"
 
 namespace svchain::scene {
+
+using geometry::Pose2;
 
 struct Colour {
   uint8_t b = 0;

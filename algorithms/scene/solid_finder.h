@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "algorithms/scene/pose2.h"
+#include "algorithms/geometry/pose2.h"
 #include "algorithms/scene/solids.h"
 
 namespace svchain::scene {

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-namespace svchain::scene {
+namespace svchain::geometry {
 
 struct Pose2 {
   double x_m = 0;
@@ -19,4 +19,4 @@ struct Pose2 {
   }
 };
 
-}  // namespace svchain::scene
+}  // namespace svchain::geometry
