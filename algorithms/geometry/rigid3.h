@@ -20,4 +20,14 @@ struct Rigid3 {
   }
 };
 
+/// The pose turned by a rotation vector (rad) about its target frame's axes, its own origin staying where it
+/// is, then shifted in that frame.
+inline Rigid3 turned_and_shifted(const Rigid3& pose, const Eigen::Vector3d& turn_rad,
+                                 const Eigen::Vector3d& shift_m) {
+  const double angle = turn_rad.norm();
+  const Eigen::Quaterniond turn = angle > 0 ? Eigen::Quaterniond(Eigen::AngleAxisd(angle, turn_rad / angle))
+                                            : Eigen::Quaterniond::Identity();
+  return {(turn * pose.rotation).normalized(), pose.translation + shift_m};
+}
+
 }  // namespace svchain::geometry

@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include "algorithms/calibration/charts.h"
 #include "algorithms/geometry/rig.h"
 #include "framework/usecase/plan.h"
 #include "tests/catch.h"
@@ -105,6 +106,25 @@ TEST_CASE("damaged rigs are read or refused with a reason") {
   }
   const int refused =
       refusals(4, texts, [](const std::string& text) { return geometry::parse_rig(text, "r.json"); });
+  CHECK(refused > kRuns / 2);
+}
+
+TEST_CASE(
+    "damaged charts are read or refused with a reason, and what is read can be written and has corners") {
+  const auto charts = testing::project_folder() / "configs" / "charts";
+  const std::vector<std::string> texts = {
+      file(charts / "garage.json"),
+      R"({"charts":[{"name":"mat","type":"squares","side_m":0.8,"centres_m":[[0,0],[1.6,0]]}]})",
+      R"({"charts":[{"name":"tags","type":"apriltag_36h11","tag_m":0.4,"tags":[{"id":0,"x_m":0,"y_m":0}]}]})"};
+  for (const auto& text : texts) REQUIRE(calibration::parse_charts(text, "c.json"));
+  const int refused = refusals(5, texts, [](const std::string& text) {
+    const auto read = calibration::parse_charts(text, "c.json");
+    if (read) {
+      CHECK(calibration::parse_charts(calibration::charts_text(*read), "again.json"));
+      for (const auto& chart : *read) calibration::corners(chart);
+    }
+    return read;
+  });
   CHECK(refused > kRuns / 2);
 }
 

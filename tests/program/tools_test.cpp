@@ -25,11 +25,13 @@ TEST_CASE("validate tells what a sound file is") {
   const auto project = project_folder();
   const auto outcome =
       svchain_program({"validate", project / "usecases/2dsv_2dsp.json", project / "configs/rigs/car.json",
-                       project / "configs/socs/tda2x.json", project / "configs/scenes/parking.json"});
+                       project / "configs/socs/tda2x.json", project / "configs/scenes/parking.json",
+                       project / "configs/charts/garage.json"});
   INFO(outcome.err);
   CHECK(outcome.status == 0);
   CHECK_THAT(outcome.out, Contains("2dsv_2dsp.json: ok (use case)") && Contains("car.json: ok (rig)"));
-  CHECK_THAT(outcome.out, Contains("tda2x.json: ok (SoC)") && Contains("parking.json: ok (scene)"));
+  CHECK_THAT(outcome.out, Contains("tda2x.json: ok (SoC)") && Contains("parking.json: ok (scene)") &&
+                              Contains("garage.json: ok (charts)"));
 }
 
 TEST_CASE("validate tells every fault of every file and still what is sound") {
@@ -45,6 +47,19 @@ TEST_CASE("validate tells every fault of every file and still what is sound") {
   CHECK_THAT(outcome.err,
              Contains("length_m") && Contains("left") && Contains("odd.json: error: what is it?"));
   CHECK_THAT(outcome.out, Contains("tda2x.json: ok (SoC)"));
+}
+
+TEST_CASE("every shipped charts file and rig is sound") {
+  for (const char* kind : {"charts", "rigs"}) {
+    Arguments arguments = {"validate"};
+    for (const auto& file : std::filesystem::directory_iterator(project_folder() / "configs" / kind)) {
+      arguments.push_back(file.path());
+    }
+    REQUIRE(arguments.size() > 2);
+    const auto outcome = svchain_program(arguments);
+    INFO(outcome.err);
+    CHECK(outcome.status == 0);
+  }
 }
 
 TEST_CASE("a graph is drawn as dot, as SVG and as JSON, with the IPC pairs") {

@@ -1,0 +1,129 @@
+#include "algorithms/calibration/fragments.h"
+
+#include <algorithm>
+#include <set>
+
+#include "algorithms/calibration/corner_fit.h"
+#include "algorithms/calibration/lattice.h"
+#include "algorithms/calibration/single_squares.h"
+#include "algorithms/calibration/tag_finder.h"
+
+namespace svchain::calibration {
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr size_t kLeastCorners = 4;
+
+std::optional<Vector2d> pixel_of(const geometry::Camera& camera, const Vector2d& ground_m) {
+  return camera.see(Vector3d(ground_m.x(), ground_m.y(), 0));
+}
+
+/// The corner near a place on the ground, its edges reaching so far there.
+std::optional<FittedCorner> fit_at(const geometry::Camera& camera, const cv::Mat& grey, const Vector2d& ground_m,
+                                   const Vector2d& along_x_m, const Vector2d& along_y_m, DarkQuarters dark) {
+  constexpr double kShare = 0.1;  // of the reach, over which the picture is taken to be even
+  const auto pixel = pixel_of(camera, ground_m);
+  const auto along_x = pixel_of(camera, ground_m + kShare * along_x_m);
+  const auto along_y = pixel_of(camera, ground_m + kShare * along_y_m);
+  if (!pixel || !along_x || !along_y) return std::nullopt;
+  return fit_corner(grey, *camera.lens, {*pixel, (*along_x - *pixel) / kShare, (*along_y - *pixel) / kShare, dark});
+}
+
+Fragment fragment_of(const Lattice& lattice, double side_m, const geometry::Camera& camera, const cv::Mat& grey) {
+  Fragment fragment;
+  for (const auto& node : lattice) {
+    const DarkQuarters dark = node.dark_diagonal ? 0b0101 : 0b1010;
+    const auto fitted = fit_at(camera, grey, node.ground_m, node.along_x_m, node.along_y_m, dark);
+    if (fitted)
+      fragment.corners.push_back(
+          {side_m * node.place.cast<double>(), dark, fitted->pixel, fitted->covariance_px2});
+  }
+  return fragment;
+}
+
+/// A square, dark inside, with its corners counter-clockwise from the one at (-, -).
+Fragment fragment_of(const GroundSquare& square, double side_m, double reach_m, const geometry::Camera& camera,
+                     const cv::Mat& grey) {
+  constexpr std::array<std::array<double, 2>, 4> kOutwards = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+  constexpr std::array<DarkQuarters, 4> kInside = {0b0001, 0b0010, 0b0100, 0b1000};
+  const Vector2d x = (square[1] - square[0] + square[2] - square[3]) / 2 * (reach_m / side_m);
+  const Vector2d y = (square[3] - square[0] + square[2] - square[1]) / 2 * (reach_m / side_m);
+  Fragment fragment;
+  for (size_t k = 0; k < 4; ++k) {
+    if (const auto fitted = fit_at(camera, grey, square[k], x, y, kInside[k]))
+      fragment.corners.push_back({side_m / 2 * Vector2d(kOutwards[k][0], kOutwards[k][1]), kInside[k],
+                                  fitted->pixel, fitted->covariance_px2});
+  }
+  return fragment;
+}
+
+/// Sides of lattices, and of single squares with the reach of their corners, that these charts show.
+struct Patterns {
+  std::set<double> lattice_sides_m;
+  std::set<std::pair<double, double>> square_sides_m;
+  std::set<double> tag_sides_m;
+};
+
+Patterns patterns_of(const std::vector<Chart>& charts) {
+  Patterns patterns;
+  for (const auto& chart : charts) {
+    if (chart.type == ChartType::kAprilTag36h11) {
+      patterns.tag_sides_m.insert(chart.side_m);
+      continue;
+    }
+    const auto all = corners(chart);
+    const bool has_saddles = std::any_of(all.begin(), all.end(), [](const auto& c) { return c.is_saddle(); });
+    if (has_saddles) {
+      patterns.lattice_sides_m.insert(chart.side_m);
+      continue;
+    }
+    double reach_m = chart.side_m;
+    for (const auto& corner : all) reach_m = std::min(reach_m, corner.reach_m);
+    patterns.square_sides_m.insert({chart.side_m, reach_m});
+  }
+  return patterns;
+}
+
+cv::Mat grey8(const GroundPicture& picture) {
+  cv::Mat made;
+  picture.grey.convertTo(made, CV_8U);
+  return made;
+}
+
+}  // namespace
+
+std::vector<Fragment> find_fragments(const geometry::Camera& camera, const cv::Mat& grey,
+                                     const std::vector<Chart>& charts) {
+  const Patterns patterns = patterns_of(charts);
+  std::vector<Fragment> found;
+  for (const double side_m : patterns.lattice_sides_m) {
+    const auto saddles = find_saddles(ground_picture(camera, grey, side_m));
+    for (const auto& lattice : find_lattices(saddles, side_m))
+      found.push_back(fragment_of(lattice, side_m, camera, grey));
+  }
+  for (const auto& [side_m, reach_m] : patterns.square_sides_m) {
+    const GroundPicture picture = ground_picture(camera, grey, side_m);
+    for (const auto& square : find_single_squares(picture))
+      found.push_back(fragment_of(square, side_m, reach_m, camera, grey));
+  }
+  for (const double side_m : patterns.tag_sides_m) {
+    // A tag is ten cells wide with its light margin: two thirds of them make squares that are resolved.
+    const GroundPicture picture = ground_picture(camera, grey, side_m / 3);
+    for (const auto& tag : find_tags(grey8(picture))) {
+      GroundSquare square;
+      for (size_t k = 0; k < 4; ++k) square[k] = picture.view.ground_from_pixel(tag.corners_px[k]);
+      Fragment fragment = fragment_of(square, side_m, side_m / 8, camera, grey);
+      fragment.tag_id = tag.id;
+      found.push_back(std::move(fragment));
+    }
+  }
+  std::erase_if(found, [](const Fragment& f) { return f.corners.size() < kLeastCorners; });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.corners.size() > b.corners.size(); });
+  return found;
+}
+
+}  // namespace svchain::calibration
