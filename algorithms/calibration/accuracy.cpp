@@ -68,7 +68,8 @@ class Judge {
       if (!ground) continue;
       const Vector2d error = *ground - place_of(seen);
       const Vector2d sight =
-          (place_of(seen) - fitted_.solution.cameras[c].vehicle_from_camera.translation.head<2>()).normalized();
+          (place_of(seen) - fitted_.solution.cameras[c].vehicle_from_camera.translation.head<2>())
+              .normalized();
       ground_m.add(error.norm());
       across_m.add(error.dot(Vector2d(-sight.y(), sight.x())));
     }
@@ -86,7 +87,8 @@ class Judge {
     for (const auto& one : corners_) {
       if (one.camera != a || one.rejected || !counts(one)) continue;
       for (const auto& other : corners_) {
-        if (other.camera != b || other.rejected || other.chart != one.chart || other.corner != one.corner) continue;
+        if (other.camera != b || other.rejected || other.chart != one.chart || other.corner != one.corner)
+          continue;
         const auto here = ground_of_seen(one), there = ground_of_seen(other);
         if (here && there) apart_m.add((*here - *there).norm());
       }
@@ -116,8 +118,7 @@ class Judge {
     }
     made.ground_sigma_near_cm = ground_sigma_cm(c, 0.5 * scale_);
     made.ground_sigma_far_cm = ground_sigma_cm(c, 3 * scale_);
-    if (const auto& known = camera.lens_prior)
-      made.lens_change_px = LensPrior(known->lens, known->sigma_px).difference_px(*camera.lens);
+    made.lens_change_px = lens_difference_px(*camera.lens, *input_.nominal.cameras[c].lens);
   }
 
   /// Uncertainty of where the calibrated camera puts a point that far beside the vehicle, straight ahead of
@@ -134,7 +135,8 @@ class Judge {
     Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(2, covariance.rows());
     for (Eigen::Index i = 0; i < covariance.rows(); ++i) {
       const double step = 1e-3 * std::sqrt(covariance(i, i));
-      const auto after = ground_moved(camera, *pixel, i, step), before = ground_moved(camera, *pixel, i, -step);
+      const auto after = ground_moved(camera, *pixel, i, step),
+                 before = ground_moved(camera, *pixel, i, -step);
       if (after && before && step > 0) slope.col(i) = (*after - *before) / (2 * step);
     }
     return kCmPerM * std::sqrt((slope * covariance * slope.transpose()).trace());
@@ -152,7 +154,8 @@ class Judge {
       lens = geometry::with_parameters(*lens, parameters);
       if (!lens) return std::nullopt;
     }
-    const auto pose = geometry::turned_and_shifted(camera.vehicle_from_camera, pose_step.head<3>(), pose_step.tail<3>());
+    const auto pose =
+        geometry::turned_and_shifted(camera.vehicle_from_camera, pose_step.head<3>(), pose_step.tail<3>());
     return ground_of(*lens, pose, pixel);
   }
 
@@ -170,14 +173,16 @@ class Judge {
       if (!(value <= most)) reasons.push_back(beyond(what, value, most, unit));
     };
     limit("the corners' distance from where they should be", made.rms_px, limits_.most_rms_px, "px RMS");
-    limit("the corners' distance on the ground", made.ground_rms_cm, scale_ * limits_.most_ground_rms_cm, "cm RMS");
+    limit("the corners' distance on the ground", made.ground_rms_cm, scale_ * limits_.most_ground_rms_cm,
+          "cm RMS");
     limit("the uncertainty of the ground beside the vehicle", made.ground_sigma_near_cm,
           scale_ * limits_.most_ground_sigma_near_cm, "cm");
     limit("the uncertainty of the ground farther off", made.ground_sigma_far_cm,
           scale_ * limits_.most_ground_sigma_far_cm, "cm");
     const auto& pose = fitted_.solution.cameras[c].vehicle_from_camera;
     const auto& nominal = input_.nominal.cameras[c].vehicle_from_camera;
-    limit("the turn from the nominal pose", geometry::degrees(pose.rotation.angularDistance(nominal.rotation)),
+    limit("the turn from the nominal pose",
+          geometry::degrees(pose.rotation.angularDistance(nominal.rotation)),
           limits_.most_turn_from_nominal_deg, "degrees");
     limit("the shift from the nominal pose", (pose.translation - nominal.translation).norm(),
           scale_ * limits_.most_shift_from_nominal_m, "m");
@@ -200,8 +205,9 @@ double scale_of(const geometry::Vehicle& vehicle) {
   return std::min(1.0, vehicle.length_m / kCarLengthM);
 }
 
-void judge(const CalibrationInput& input, const FittedEstimate& fitted, const std::vector<SeenCorner>& corners,
-           const std::vector<ChartPattern>& patterns, const AcceptanceLimits& limits, Calibration& calibration) {
+void judge(const CalibrationInput& input, const FittedEstimate& fitted,
+           const std::vector<SeenCorner>& corners, const std::vector<ChartPattern>& patterns,
+           const AcceptanceLimits& limits, Calibration& calibration) {
   const Judge judge(input, fitted, corners, patterns, limits);
   const auto& cameras = input.nominal.cameras;
   const double most_cm = scale_of(input.nominal.vehicle) * limits.most_overlap_rms_cm;
@@ -211,8 +217,8 @@ void judge(const CalibrationInput& input, const FittedEstimate& fitted, const st
     const std::string name = cameras[c].name + "-" + cameras[next].name;
     const OverlapAccuracy overlap = judge.overlap(c, next);
     if (overlap.rms_cm > most_cm)
-      calibration.reasons.push_back(beyond(name + ": the distance of corners seen by both", overlap.rms_cm, most_cm,
-                                           "cm RMS"));
+      calibration.reasons.push_back(
+          beyond(name + ": the distance of corners seen by both", overlap.rms_cm, most_cm, "cm RMS"));
     calibration.overlaps[name] = overlap;
   }
 }

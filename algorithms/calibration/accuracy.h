@@ -24,7 +24,8 @@ struct AcceptanceLimits {
 double scale_of(const geometry::Vehicle& vehicle);
 
 /// Accuracies by the corners that are `held_out` (or, where none is, by all), reasons among them.
-void judge(const CalibrationInput& input, const FittedEstimate& fitted, const std::vector<SeenCorner>& corners,
-           const std::vector<ChartPattern>& patterns, const AcceptanceLimits& limits, Calibration& calibration);
+void judge(const CalibrationInput& input, const FittedEstimate& fitted,
+           const std::vector<SeenCorner>& corners, const std::vector<ChartPattern>& patterns,
+           const AcceptanceLimits& limits, Calibration& calibration);
 
 }  // namespace svchain::calibration

@@ -21,9 +21,9 @@ constexpr double kNominalSigmaDeg = 3;   // what a rig measured by tape is good 
 constexpr double kNominalSigmaM = 0.05;  // on a car
 constexpr double kChartReachM = 1.0;     // on a car: how far a chart may seem to be from its place
 constexpr double kLensFitsPx = 0.15;     // corners that scatter more are worth a better lens
+constexpr double kWorthALens = 0.8;      // of the scatter with the lens as it was given
 constexpr double kLensPriorPx = 3;
 
-double lens_prior_px(){ const char*e=getenv("LP"); return e?atof(e):kLensPriorPx;}
 class Stages {
  public:
   explicit Stages(Calibration& calibration) : calibration_(calibration) {}
@@ -79,7 +79,8 @@ class Run {
  private:
   void find(Stages& stages) {
     std::vector<std::vector<Fragment>> fragments;
-    for (size_t c = 0; c < cameras().size(); ++c) fragments.push_back(find_fragments(cameras()[c], greys_[c], input_.charts));
+    for (size_t c = 0; c < cameras().size(); ++c)
+      fragments.push_back(find_fragments(cameras()[c], greys_[c], input_.charts));
     stages.done("corners");
     std::vector<Levelled> levelled;
     for (size_t c = 0; c < cameras().size(); ++c)
@@ -88,7 +89,8 @@ class Run {
     for (size_t c = 0; c < cameras().size(); ++c) {
       for (const auto& named : assignment_.named[c])
         seen_.push_back({c, named.chart, named.corner, named.pixel, named.covariance_px2, false, false});
-      estimate_.cameras.push_back({levelled[c].vehicle_from_camera, cameras()[c].lens, prior_of(cameras()[c], scale_), {}});
+      estimate_.cameras.push_back(
+          {levelled[c].vehicle_from_camera, cameras()[c].lens, prior_of(cameras()[c], scale_), {}});
     }
     for (size_t k = 0; k < patterns_.size(); ++k) {
       const bool fixed = patterns_[k].chart.vehicle_from_chart.has_value();
@@ -119,26 +121,37 @@ class Run {
     for (auto& seen : seen_) seen.held_out = seen.corner % 2 == held;
   }
 
+  /// With the lenses as they are given; where corners do not fit that well, with better ones.
   void refine() {
     hold_out();
-    Estimate start = estimate_;
-    for (size_t c = 0; c < cameras().size(); ++c) start.cameras[c].lens = cameras()[c].lens;
-    fitted_ = fit(start, seen_, patterns_);
-    bool lens_off = false;
     for (size_t c = 0; c < cameras().size(); ++c) {
-      if (fitted_.spread_px[c] <= kLensFitsPx) continue;
-      start.cameras[c].lens_prior = LensKnowledge{cameras()[c].lens, lens_prior_px()};
-      lens_off = true;
+      estimate_.cameras[c].lens = cameras()[c].lens;
+      estimate_.cameras[c].lens_prior.reset();
     }
-    if (lens_off) {
-      for (size_t c = 0; c < cameras().size(); ++c)
-        start.cameras[c].vehicle_from_camera = fitted_.solution.cameras[c].vehicle_from_camera;
-      start.charts = fitted_.solution.charts;
-      for (auto& seen : seen_) seen.rejected = false;
-      fitted_ = fit(start, seen_, patterns_);
-    }
-    for (size_t c = 0; c < cameras().size(); ++c) estimate_.cameras[c] = {fitted_.solution.cameras[c].vehicle_from_camera, cameras()[c].lens, start.cameras[c].pose_prior, {}};
-    estimate_.charts = fitted_.solution.charts;
+    refit();
+    const FittedEstimate kept = fitted_;
+    const auto free_lenses = [&](auto wanted) {
+      bool any = false;
+      for (size_t c = 0; c < cameras().size(); ++c) {
+        UnknownCamera& camera = estimate_.cameras[c];
+        camera.lens_prior.reset();
+        if (wanted(c)) camera.lens_prior = LensKnowledge{cameras()[c].lens, kLensPriorPx};
+        if (!camera.lens_prior) camera.lens = cameras()[c].lens;
+        any = any || camera.lens_prior;
+      }
+      return any;
+    };
+    if (!free_lenses([&](size_t c) { return kept.rms_px[c] > kLensFitsPx; })) return;
+    refit();
+    const FittedEstimate freed = fitted_;
+    free_lenses([&](size_t c) { return freed.rms_px[c] < kWorthALens * kept.rms_px[c]; });
+    refit();
+  }
+
+  void refit() {
+    for (auto& seen : seen_) seen.rejected = false;
+    fitted_ = fit(estimate_, seen_, patterns_);
+    estimate_ = {fitted_.solution.cameras, fitted_.solution.charts};
   }
 
   Camera calibrated(size_t c) const {
@@ -151,8 +164,9 @@ class Run {
   void look_again() {
     std::vector<SeenCorner> seen;
     for (size_t c = 0; c < cameras().size(); ++c) {
-      const double reach_px = 1.5 + 4 * fitted_.spread_px[c];
-      const auto found = calibration::look_again(c, calibrated(c), greys_[c], patterns_, fitted_.solution.charts, placed_, seen_, reach_px);
+      const double reach_px = 1.5 + 4 * fitted_.rms_px[c];
+      const auto found = calibration::look_again(c, calibrated(c), greys_[c], patterns_,
+                                                 fitted_.solution.charts, placed_, seen_, reach_px);
       seen.insert(seen.end(), found.begin(), found.end());
     }
     seen_ = std::move(seen);
@@ -172,9 +186,11 @@ class Run {
       const Camera camera = calibrated(c);
       for (size_t k = 0; k < patterns_.size(); ++k) {
         for (size_t i = 0; placed_[k] && i < patterns_[k].corners.size(); ++i) {
-          const auto expected = expect(camera, patterns_[k].corners[i], fitted_.solution.charts[k].vehicle_from_chart);
+          const auto expected =
+              expect(camera, patterns_[k].corners[i], fitted_.solution.charts[k].vehicle_from_chart);
           if (!expected) continue;
-          made.corners.push_back({c, k, static_cast<int>(i), CornerState::kNotFound, expected->pixel, {0, 0}});
+          made.corners.push_back(
+              {c, k, static_cast<int>(i), CornerState::kNotFound, expected->pixel, {0, 0}});
           for (const auto& seen : seen_) {
             if (seen.camera != c || seen.chart != k || seen.corner != static_cast<int>(i)) continue;
             made.corners.back().found_px = seen.pixel;

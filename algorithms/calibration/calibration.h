@@ -56,8 +56,8 @@ struct CameraAccuracy {
   /// By the covariance, half a metre and three metres beside a car; a motion common to all cameras apart.
   double ground_sigma_near_cm = 0;
   double ground_sigma_far_cm = 0;
-  double lens_change_px = 0;                         // RMS over the field; 0: the lens was kept
-  std::vector<std::string> reasons;                  // why it is rejected; none: accepted
+  double lens_change_px = 0;         // RMS over the field; 0: the lens was kept
+  std::vector<std::string> reasons;  // why it is rejected; none: accepted
 };
 
 struct OverlapAccuracy {
@@ -67,8 +67,8 @@ struct OverlapAccuracy {
 
 struct Calibration {
   geometry::Rig rig;
-  std::vector<Chart> charts;            // all of them posed, as far as they were seen
-  std::vector<CameraAccuracy> cameras;  // front, right, rear, left
+  std::vector<Chart> charts;                        // all of them posed, as far as they were seen
+  std::vector<CameraAccuracy> cameras;              // front, right, rear, left
   std::map<std::string, OverlapAccuracy> overlaps;  // "front-right", ...
   std::vector<CornerRecord> corners;
   std::vector<std::string> reasons;  // why the whole is rejected, cameras apart

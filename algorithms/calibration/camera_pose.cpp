@@ -15,11 +15,11 @@ using geometry::Rigid3;
 using geometry::Sighting;
 
 constexpr int kRounds = 100;
-constexpr double kAgreePx = 3;       // of a pose from four corners
+constexpr double kAgreePx = 3;           // of a pose from four corners
 constexpr double kAgreeRefinedPx = 2.5;  // of one from all that agree: a carpet's folds are no mistakes
 
-std::vector<bool> agreeing(const geometry::Lens& lens, const std::vector<Sighting>& sightings, const Rigid3& pose,
-                           double agree_px) {
+std::vector<bool> agreeing(const geometry::Lens& lens, const std::vector<Sighting>& sightings,
+                           const Rigid3& pose, double agree_px) {
   const Rigid3 camera_from_vehicle = pose.inverse();
   std::vector<bool> agrees;
   for (const auto& sighting : sightings) {
@@ -66,7 +66,8 @@ std::optional<AgreedPose> agreed_pose(const geometry::Lens& lens, const std::vec
     for (size_t i = 0; i < sightings.size(); ++i) {
       if (best.agrees[i]) agreed.push_back(sightings[i]);
     }
-    best.vehicle_from_camera = geometry::refine_pose(lens, agreed, best.vehicle_from_camera).vehicle_from_camera;
+    best.vehicle_from_camera =
+        geometry::refine_pose(lens, agreed, best.vehicle_from_camera).vehicle_from_camera;
     best.agrees = agreeing(lens, sightings, best.vehicle_from_camera, kAgreeRefinedPx);
   }
   if (count(best.agrees) < 4) return std::nullopt;

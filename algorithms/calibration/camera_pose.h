@@ -17,6 +17,7 @@ struct AgreedPose {
 };
 
 /// Sightings of places on the ground. Nothing with fewer than four, or where no pose has most of them agree.
-std::optional<AgreedPose> agreed_pose(const geometry::Lens& lens, const std::vector<geometry::Sighting>& sightings);
+std::optional<AgreedPose> agreed_pose(const geometry::Lens& lens,
+                                      const std::vector<geometry::Sighting>& sightings);
 
 }  // namespace svchain::calibration

@@ -92,6 +92,10 @@ class Assignment {
       }
     }
     auto found = clusters(unposed);
+    // Where there are more than charts, what several cameras see counts more.
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& a, const auto& b) { return a.size() > b.size(); });
+    keep_as_many_as_charts(found);
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
       return clockwise_from_left(a.front()) < clockwise_from_left(b.front());
     });
@@ -129,9 +133,9 @@ class Assignment {
       if (!pattern.chart.vehicle_from_chart) continue;
       const Pose2& pose = *pattern.chart.vehicle_from_chart;
       if (turn(pose, claim.vehicle_from_chart) > kMostTurnRad) continue;
-      const double away_m = (middle(claim.identity, pattern, pose) -
-                             middle(claim.identity, pattern, claim.vehicle_from_chart))
-                                .norm();
+      const double away_m =
+          (middle(claim.identity, pattern, pose) - middle(claim.identity, pattern, claim.vehicle_from_chart))
+              .norm();
       if (away_m >= best_m) continue;
       best = &claim;
       best_m = away_m;
@@ -175,6 +179,20 @@ class Assignment {
         found.push_back({*chosen});
     }
     return found;
+  }
+
+  void keep_as_many_as_charts(std::vector<std::vector<Claim>>& clusters) const {
+    std::vector<size_t> taken(patterns_.size(), 0);
+    std::erase_if(clusters, [&](const std::vector<Claim>& cluster) {
+      const size_t chart = cluster.front().identity.chart;
+      size_t like = 0, first = patterns_.size();
+      for (size_t k = 0; k < patterns_.size(); ++k) {
+        if (made_.vehicle_from_chart[k] || !same_pattern(chart, k)) continue;
+        first = std::min(first, k);
+        ++like;
+      }
+      return first == patterns_.size() || ++taken[first] > like;
+    });
   }
 
   /// Greatest distance between the charts claimed; infinite where a claim cannot belong to a cluster.

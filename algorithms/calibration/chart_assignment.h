@@ -19,7 +19,7 @@ struct NamedCorner {
 };
 
 struct ChartAssignment {
-  std::vector<std::vector<NamedCorner>> named;                 // by camera
+  std::vector<std::vector<NamedCorner>> named;                     // by camera
   std::vector<std::optional<geometry::Pose2>> vehicle_from_chart;  // posed, or first guess; missing: not seen
   /// Fragments, by camera, that are a posed chart's by their pattern but lie elsewhere or turned.
   std::vector<int> contradictions = {};

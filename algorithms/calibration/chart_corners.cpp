@@ -20,8 +20,7 @@ std::vector<ChartCorner> checkerboard_corners(const Chart& chart) {
       const Eigen::Vector2d place((i - chart.squares[0] / 2.0) * chart.side_m,
                                   (j - chart.squares[1] / 2.0) * chart.side_m);
       // The square at (-x, -y) of corner (1, 1) is black.
-      found.push_back(
-          {place, static_cast<DarkQuarters>((i + j) % 2 == 0 ? 0b0101 : 0b1010), chart.side_m});
+      found.push_back({place, static_cast<DarkQuarters>((i + j) % 2 == 0 ? 0b0101 : 0b1010), chart.side_m});
     }
   }
   return found;
@@ -63,7 +62,8 @@ double clear_around(const ChartCorner& corner, const Chart& chart) {
 
 std::vector<ChartCorner> corners(const Chart& chart) {
   switch (chart.type) {
-    case ChartType::kCheckerboard: return checkerboard_corners(chart);
+    case ChartType::kCheckerboard:
+      return checkerboard_corners(chart);
     case ChartType::kSquares: {
       auto found = square_corners(chart.centres_m, chart.side_m, chart.side_m);
       for (auto& corner : found) corner.reach_m = clear_around(corner, chart);

@@ -25,10 +25,10 @@ struct Tag {
 struct Chart {
   std::string name;
   ChartType type = ChartType::kCheckerboard;
-  std::array<int, 2> squares = {0, 0};     // checkerboard: along x and y
-  double side_m = 0;                       // of a checkerboard's square, a single square, a tag's black border
-  std::vector<Eigen::Vector2d> centres_m;  // squares: of each black one
-  std::vector<Tag> tags;                   // apriltag_36h11
+  std::array<int, 2> squares = {0, 0};  // checkerboard: along x and y
+  double side_m = 0;                    // of a checkerboard's square, a single square, a tag's black border
+  std::vector<Eigen::Vector2d> centres_m;             // squares: of each black one
+  std::vector<Tag> tags;                              // apriltag_36h11
   std::optional<geometry::Pose2> vehicle_from_chart;  // missing: to be found by the calibration
 };
 
@@ -44,9 +44,10 @@ struct ChartCorner {
   bool is_saddle() const { return dark == 0b0101 || dark == 0b1010; }
 };
 
-/// Every corner of a chart, in the order in which files and reports count them: a checkerboard's inner corners
-/// along x, then y, from (-x, -y); the corners of squares in the order of `centres_m`, each counter-clockwise
-/// from (-x, -y), where squares touch the common corner once, by its first square; of tags likewise.
+/// Every corner of a chart, in the order in which files and reports count them: a checkerboard's inner
+/// corners along x, then y, from (-x, -y); the corners of squares in the order of `centres_m`, each
+/// counter-clockwise from (-x, -y), where squares touch the common corner once, by its first square; of tags
+/// likewise.
 std::vector<ChartCorner> corners(const Chart& chart);
 
 /// Reads a charts file, with every fault in it.

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kClipped = 254.5;
 constexpr double kLeastContrast = 12;  // grey levels
-constexpr double kMostMisfit = 0.25;
+constexpr double kMostMisfit = 0.34;
 constexpr double kFarthest = 0.6;  // from the guess, in half windows
 constexpr double kMostSigmaPx = 0.3;
 // Where a bend is, its blur tells; that pictures are not blurred quite like a Gaussian counts as noise of
@@ -23,6 +23,8 @@ constexpr double kMostSigmaPx = 0.3;
 constexpr double kBendUnlike = 0.02;
 constexpr double kMostTurnRad = 35 * std::numbers::pi / 180;
 constexpr double kMostBlurPx = 2.5;
+
+constexpr double kRoughRadiusPx = 10;
 
 using Vector = CornerShape::Vector;
 using Matrix = Eigen::Matrix<double, CornerShape::kCount, CornerShape::kCount>;
@@ -46,7 +48,7 @@ Agreement agreement(const CornerWindow& window, const CornerShape& shape, DarkQu
     const auto modelled = pattern.at(pixel.place_px);
     if (pixel.grey > kClipped && modelled.grey > kClipped) continue;  // the true level is unknown
     const double error = modelled.grey - pixel.grey;
-    sum.normal.selfadjointView<Eigen::Lower>().rankUpdate(modelled.gradient);
+    sum.normal.noalias() += modelled.gradient * modelled.gradient.transpose();
     sum.gradient += error * modelled.gradient;
     sum.squares += error * error;
     ++sum.pixels;
@@ -81,7 +83,7 @@ Fit fitted(const CornerWindow& window, const CornerShape& start, DarkQuarters da
   for (int round = 0; round < kMostRounds && damping < 1e6; ++round) {
     Matrix damped = best.agreement.normal;
     damped.diagonal() *= 1 + damping;
-    const Vector step = -damped.selfadjointView<Eigen::Lower>().ldlt().solve(best.agreement.gradient);
+    const Vector step = -damped.ldlt().solve(best.agreement.gradient);
     if (!step.allFinite()) break;
     const CornerShape tried = best.shape.moved(step);
     const Agreement now = agreement(window, tried, dark);
@@ -125,15 +127,15 @@ struct Found {
   Eigen::Vector2d pixel;
 };
 
-/// Fits twice, the second time about the place and along the edges that the first one found.
+/// Fits twice: roughly in a small window, then about the place and along the edges that were found.
 std::optional<Found> find(const cv::Mat& grey, const geometry::Lens& lens, const CornerGuess& guess) {
   CornerShape shape = first_shape(guess);
   const Eigen::Vector2d expected_rad = shape.normals_rad;
   const double farthest_px = kFarthest * half_window_px(guess);
   CornerGuess now = guess;
   Fit fit;
-  for (const double enough : {1.0, 0.01}) {
-    const auto window = corner_window(grey, lens, now);
+  for (const auto& [radius_px, enough] : {std::pair(kRoughRadiusPx, 1.0), std::pair(kWindowRadiusPx, 0.01)}) {
+    const auto window = corner_window(grey, lens, now, radius_px);
     if (!window) return std::nullopt;
     shape.corner_px = {0, 0};
     shape = with_levels(shape, *window, guess.dark);
@@ -171,7 +173,7 @@ std::optional<FittedCorner> fit_corner(const cv::Mat& grey, const geometry::Lens
   if (!(corner.misfit < kMostMisfit)) return std::nullopt;
   const double unlike = is_saddle(guess.dark) ? 0 : kBendUnlike;
   const double variance = std::pow(shape.contrast, 2) * (std::pow(corner.misfit, 2) + std::pow(unlike, 2));
-  const Matrix inverse = agreement.normal.selfadjointView<Eigen::Lower>().ldlt().solve(Matrix::Identity());
+  const Matrix inverse = agreement.normal.ldlt().solve(Matrix::Identity());
   corner.covariance_px2 = variance * inverse.topLeftCorner<2, 2>();
   if (!(corner.covariance_px2.trace() < kMostSigmaPx * kMostSigmaPx)) return std::nullopt;
   return corner;

@@ -32,7 +32,7 @@ std::optional<Eigen::Matrix<double, 3, 2>> across_plane(const geometry::Lens& le
 }  // namespace
 
 std::optional<CornerWindow> corner_window(const cv::Mat& grey, const geometry::Lens& lens,
-                                          const CornerGuess& guess) {
+                                          const CornerGuess& guess, double radius_px) {
   const auto middle = lens.unproject(guess.pixel);
   if (!middle) return std::nullopt;
   const auto across = across_plane(lens, guess.pixel, *middle);
@@ -45,14 +45,14 @@ std::optional<CornerWindow> corner_window(const cv::Mat& grey, const geometry::L
   edges << guess.along_x_px, guess.along_y_px;
   const Eigen::Matrix2d shares_from_px = edges.inverse();
   const Eigen::Vector2d half =
-      (kWindowShare * (guess.along_x_px.cwiseAbs() + guess.along_y_px.cwiseAbs())).cwiseMin(kWindowRadiusPx);
+      (kWindowShare * (guess.along_x_px.cwiseAbs() + guess.along_y_px.cwiseAbs())).cwiseMin(radius_px);
   const Eigen::Vector2d first = (guess.pixel - half).array().ceil(),
                         last = (guess.pixel + half).array().floor();
   for (int y = int(first.y()); y <= int(last.y()); ++y) {
     for (int x = int(first.x()); x <= int(last.x()); ++x) {
       const Eigen::Vector2d pixel(x, y), off = pixel - guess.pixel;
       if (!((shares_from_px * off).cwiseAbs().maxCoeff() <= kWindowShare)) continue;
-      if (off.squaredNorm() > kWindowRadiusPx * kWindowRadiusPx) continue;
+      if (off.squaredNorm() > radius_px * radius_px) continue;
       if (x < 0 || y < 0 || x >= grey.cols || y >= grey.rows) return std::nullopt;
       const auto ray = lens.unproject(pixel);
       if (!ray) return std::nullopt;

@@ -26,12 +26,13 @@ struct CornerWindow {
 };
 
 /// Half of a window, in parts of the corner's reach along each edge, and how far it goes at most.
-inline constexpr double kWindowShare = 0.45;
-inline constexpr double kWindowRadiusPx = 12;
+inline constexpr double kWindowShare = 0.6;
+inline constexpr double kWindowRadiusPx = 20;
 
-/// The pixels around the guess that are within half a window along both edges. Nothing where some are not in
-/// the picture or not within the lens's reach, or where the corner is too small to have enough of them.
+/// The pixels around the guess that are within half a window along both edges and within the radius. Nothing
+/// where some are not in the picture or not within the lens's reach, or where the corner is too small to have
+/// enough of them.
 std::optional<CornerWindow> corner_window(const cv::Mat& grey, const geometry::Lens& lens,
-                                          const CornerGuess& guess);
+                                          const CornerGuess& guess, double radius_px);
 
 }  // namespace svchain::calibration

@@ -22,17 +22,20 @@ std::optional<Vector2d> pixel_of(const geometry::Camera& camera, const Vector2d&
 }
 
 /// The corner near a place on the ground, its edges reaching so far there.
-std::optional<FittedCorner> fit_at(const geometry::Camera& camera, const cv::Mat& grey, const Vector2d& ground_m,
-                                   const Vector2d& along_x_m, const Vector2d& along_y_m, DarkQuarters dark) {
+std::optional<FittedCorner> fit_at(const geometry::Camera& camera, const cv::Mat& grey,
+                                   const Vector2d& ground_m, const Vector2d& along_x_m,
+                                   const Vector2d& along_y_m, DarkQuarters dark) {
   constexpr double kShare = 0.1;  // of the reach, over which the picture is taken to be even
   const auto pixel = pixel_of(camera, ground_m);
   const auto along_x = pixel_of(camera, ground_m + kShare * along_x_m);
   const auto along_y = pixel_of(camera, ground_m + kShare * along_y_m);
   if (!pixel || !along_x || !along_y) return std::nullopt;
-  return fit_corner(grey, *camera.lens, {*pixel, (*along_x - *pixel) / kShare, (*along_y - *pixel) / kShare, dark});
+  return fit_corner(grey, *camera.lens,
+                    {*pixel, (*along_x - *pixel) / kShare, (*along_y - *pixel) / kShare, dark});
 }
 
-Fragment fragment_of(const Lattice& lattice, double side_m, const geometry::Camera& camera, const cv::Mat& grey) {
+Fragment fragment_of(const Lattice& lattice, double side_m, const geometry::Camera& camera,
+                     const cv::Mat& grey) {
   Fragment fragment;
   for (const auto& node : lattice) {
     const DarkQuarters dark = node.dark_diagonal ? 0b0101 : 0b1010;
@@ -45,8 +48,8 @@ Fragment fragment_of(const Lattice& lattice, double side_m, const geometry::Came
 }
 
 /// A square, dark inside, with its corners counter-clockwise from the one at (-, -).
-Fragment fragment_of(const GroundSquare& square, double side_m, double reach_m, const geometry::Camera& camera,
-                     const cv::Mat& grey) {
+Fragment fragment_of(const GroundSquare& square, double side_m, double reach_m,
+                     const geometry::Camera& camera, const cv::Mat& grey) {
   constexpr std::array<std::array<double, 2>, 4> kOutwards = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
   constexpr std::array<DarkQuarters, 4> kInside = {0b0001, 0b0010, 0b0100, 0b1000};
   const Vector2d x = (square[1] - square[0] + square[2] - square[3]) / 2 * (reach_m / side_m);

@@ -41,8 +41,8 @@ geometry::View view_around(const geometry::Camera& camera, double side_m) {
   return view;
 }
 
-/// Where every kEvery-th pixel of the view lies in the camera's picture; NaN where it does not. Between them it
-/// is even enough.
+/// Where every kEvery-th pixel of the view lies in the camera's picture; NaN where it does not. Between them
+/// it is even enough.
 constexpr int kEvery = 4;
 
 cv::Mat2f picture_places(const geometry::Camera& camera, const geometry::View& view) {
@@ -51,7 +51,8 @@ cv::Mat2f picture_places(const geometry::Camera& camera, const geometry::View& v
   for (int j = 0; j < places.rows; ++j) {
     for (int i = 0; i < places.cols; ++i) {
       const Vector2d ground = view.ground_from_pixel({kEvery * i, kEvery * j});
-      const auto pixel = camera.lens->project(camera_from_vehicle * Eigen::Vector3d(ground.x(), ground.y(), 0));
+      const auto pixel =
+          camera.lens->project(camera_from_vehicle * Eigen::Vector3d(ground.x(), ground.y(), 0));
       places(j, i) = pixel && camera.contains(*pixel)
                          ? cv::Vec2f(static_cast<float>(pixel->x()), static_cast<float>(pixel->y()))
                          : cv::Vec2f::all(NAN);
@@ -62,8 +63,10 @@ cv::Mat2f picture_places(const geometry::Camera& camera, const geometry::View& v
 
 /// Least and greatest number of picture pixels for one of the view, over all directions, in a cell.
 Vector2d stretch(const cv::Mat2f& places, int i, int j) {
-  const cv::Vec2f du = (places(j, i + 1) - places(j, i) + places(j + 1, i + 1) - places(j + 1, i)) / (2.F * kEvery);
-  const cv::Vec2f dv = (places(j + 1, i) - places(j, i) + places(j + 1, i + 1) - places(j, i + 1)) / (2.F * kEvery);
+  const cv::Vec2f du =
+      (places(j, i + 1) - places(j, i) + places(j + 1, i + 1) - places(j + 1, i)) / (2.F * kEvery);
+  const cv::Vec2f dv =
+      (places(j + 1, i) - places(j, i) + places(j + 1, i + 1) - places(j, i + 1)) / (2.F * kEvery);
   // Singular values of [a b; c d].
   const double a = du[0], b = dv[0], c = du[1], d = dv[1];
   const double sum = std::hypot(a + d, c - b), difference = std::hypot(a - d, c + b);
@@ -101,7 +104,8 @@ void fill(const cv::Mat2f& places, int i, int j, const std::vector<cv::Mat1b>& l
   const double mean = std::max(std::sqrt(px.x() * px.y()), 1.0);
   const int level = std::min(static_cast<int>(std::log2(mean)), static_cast<int>(levels.size()) - 1);
   const float scale = 1.F / static_cast<float>(1 << level);
-  const int rows = std::min(kEvery, made.grey.rows - kEvery * j), columns = std::min(kEvery, made.grey.cols - kEvery * i);
+  const int rows = std::min(kEvery, made.grey.rows - kEvery * j),
+            columns = std::min(kEvery, made.grey.cols - kEvery * i);
   for (int v = 0; v < rows; ++v) {
     const float down = static_cast<float>(v) / kEvery;
     const cv::Vec2f left = places(j, i) + down * (places(j + 1, i) - places(j, i));

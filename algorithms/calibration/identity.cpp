@@ -9,16 +9,20 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kSamePlace = 0.1;      // of a side
+constexpr double kSamePlace = 0.1;       // of a side
 constexpr double kLeastExplained = 0.6;  // of a fragment's corners
 constexpr double kMissing = 0.5;         // what a corner counts that the fragment passes over
 
 Vector2d quarter_turned(const Vector2d& v, int quarters) {
   switch (quarters) {
-    case 1: return {-v.y(), v.x()};
-    case 2: return -v;
-    case 3: return {v.y(), -v.x()};
-    default: return v;
+    case 1:
+      return {-v.y(), v.x()};
+    case 2:
+      return -v;
+    case 3:
+      return {v.y(), -v.x()};
+    default:
+      return v;
   }
 }
 
@@ -45,7 +49,8 @@ int corner_at(const ChartPattern& pattern, const Vector2d& place_m) {
 
 /// Corners of the chart within the fragment's outline that show the kind of corner fragments are made of, and
 /// are not among those explained.
-int passed_over(const ChartPattern& pattern, const Eigen::AlignedBox2d& outline, const std::vector<int>& explained) {
+int passed_over(const ChartPattern& pattern, const Eigen::AlignedBox2d& outline,
+                const std::vector<int>& explained) {
   int missing = 0;
   for (size_t k = 0; k < pattern.corners.size(); ++k) {
     const ChartCorner& corner = pattern.corners[k];
@@ -77,14 +82,17 @@ Identity shifted(const Fragment& fragment, const ChartPattern& pattern, size_t a
 
 std::vector<int> tag_corners(const ChartPattern& pattern, const Fragment& fragment) {
   const auto& tags = pattern.chart.tags;
-  const auto tag = std::find_if(tags.begin(), tags.end(), [&](const Tag& t) { return t.id == fragment.tag_id; });
+  const auto tag =
+      std::find_if(tags.begin(), tags.end(), [&](const Tag& t) { return t.id == fragment.tag_id; });
   std::vector<int> found;
   if (tag == tags.end()) return found;
-  for (const auto& corner : fragment.corners) found.push_back(corner_at(pattern, tag->place_m + corner.place_m));
+  for (const auto& corner : fragment.corners)
+    found.push_back(corner_at(pattern, tag->place_m + corner.place_m));
   return found;
 }
 
-void add_shifts(const Fragment& fragment, const ChartPattern& pattern, size_t chart, std::vector<Identity>& found) {
+void add_shifts(const Fragment& fragment, const ChartPattern& pattern, size_t chart,
+                std::vector<Identity>& found) {
   constexpr size_t kMostAnchors = 3;  // one of them is no false corner
   for (size_t anchor = 0; anchor < std::min(kMostAnchors, fragment.corners.size()); ++anchor) {
     for (size_t target = 0; target < pattern.corners.size(); ++target) {
@@ -121,7 +129,8 @@ std::vector<Identity> identities(const Fragment& fragment, const std::vector<Cha
     for (int quarters = 0; quarters < 4; ++quarters)
       add_shifts(quarter_turned(fragment, quarters), patterns[chart], chart, found);
   }
-  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.score > b.score; });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.score > b.score; });
   return found;
 }
 

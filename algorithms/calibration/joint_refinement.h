@@ -1,8 +1,8 @@
 #pragma once
 // All that a calibration does not know, refined at once: the poses of cameras, the places of charts that
-// nobody measured, and lenses. Least squares over the distances in px between where corners are seen and where
-// they should be, the lens inside the residual, each weighed by its own uncertainty; with priors on what the
-// pictures alone leave open. Plain values; pure.
+// nobody measured, and lenses. Least squares over the distances in px between where corners are seen and
+// where they should be, the lens inside the residual, each weighed by its own uncertainty; with priors on
+// what the pictures alone leave open. Plain values; pure.
 
 #include <Eigen/Core>
 #include <optional>

@@ -109,7 +109,8 @@ std::vector<Lattice> find_lattices(const std::vector<SaddlePoint>& saddles, doub
     Lattice lattice = Growth(saddles, taken, side_m).from(seed);
     if (lattice.size() >= kLeastNodes && is_flat(lattice)) found.push_back(std::move(lattice));
   }
-  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.size() > b.size(); });
   return found;
 }
 

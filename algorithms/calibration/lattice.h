@@ -1,6 +1,6 @@
 #pragma once
-// Saddle points that lie like the corners of a checkerboard, joined to pieces of lattice: each has a neighbour
-// one side away along the edges, where dark and light are exchanged. Pure.
+// Saddle points that lie like the corners of a checkerboard, joined to pieces of lattice: each has a
+// neighbour one side away along the edges, where dark and light are exchanged. Pure.
 
 #include "algorithms/calibration/saddle_points.h"
 

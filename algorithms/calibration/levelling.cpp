@@ -47,7 +47,7 @@ double rms_px(const JointProblem& problem, const JointSolution& solution) {
 /// A flat chart of equal squares on the ground, seen from about where the camera should be. Patterns on walls
 /// and clutter are not.
 bool lies_on_ground(const geometry::Camera& camera, const PosePrior& prior, const Fragment& fragment) {
-  constexpr double kMostPx = 4;       // leaves room for a lens that is not quite known
+  constexpr double kMostPx = 4;  // leaves room for a lens that is not quite known
   constexpr double kMostSigmas = 4;
   if (!laid_down(camera, fragment)) return false;
   const JointProblem problem = problem_of(camera, prior, {fragment});
@@ -90,13 +90,15 @@ Pose2 pose_between(const std::vector<Vector2d>& from, const std::vector<Vector2d
   return {shift.x(), shift.y(), turn.yaw_rad};
 }
 
-Levelled level_camera(const geometry::Camera& camera, const PosePrior& prior, std::vector<Fragment> fragments) {
+Levelled level_camera(const geometry::Camera& camera, const PosePrior& prior,
+                      std::vector<Fragment> fragments) {
   std::erase_if(fragments, [&](const Fragment& f) { return !lies_on_ground(camera, prior, f); });
   Levelled levelled{camera.vehicle_from_camera, std::move(fragments), {}};
   if (levelled.fragments.empty()) return levelled;
   const JointSolution solution = refine_jointly(problem_of(camera, prior, levelled.fragments));
   levelled.vehicle_from_camera = solution.cameras[0].vehicle_from_camera;
-  for (const auto& chart : solution.charts) levelled.vehicle_from_fragment.push_back(chart.vehicle_from_chart);
+  for (const auto& chart : solution.charts)
+    levelled.vehicle_from_fragment.push_back(chart.vehicle_from_chart);
   return levelled;
 }
 

@@ -41,9 +41,9 @@ std::optional<ExpectedCorner> expect(const geometry::Camera& camera, const Chart
 }
 
 std::vector<SeenCorner> look_again(size_t camera_index, const geometry::Camera& camera, const cv::Mat& grey,
-                                   const std::vector<ChartPattern>& patterns, const std::vector<UnknownChart>& charts,
-                                   const std::vector<bool>& placed, const std::vector<SeenCorner>& known,
-                                   double reach_px) {
+                                   const std::vector<ChartPattern>& patterns,
+                                   const std::vector<UnknownChart>& charts, const std::vector<bool>& placed,
+                                   const std::vector<SeenCorner>& known, double reach_px) {
   std::vector<SeenCorner> found;
   for (size_t chart = 0; chart < patterns.size(); ++chart) {
     for (size_t k = 0; placed[chart] && k < patterns[chart].corners.size(); ++k) {
@@ -51,10 +51,13 @@ std::vector<SeenCorner> look_again(size_t camera_index, const geometry::Camera& 
       auto expected = expect(camera, corner, charts[chart].vehicle_from_chart);
       if (!expected) continue;
       const SeenCorner* before = find(known, camera_index, chart, static_cast<int>(k));
-      if (before) expected->pixel = before->pixel;
+      if (before) {
+        found.push_back(*before);
+        continue;
+      }
       const auto fitted = fit_corner(
           grey, *camera.lens, {expected->pixel, expected->along_x_px, expected->along_y_px, corner.dark});
-      const double most_px = before ? reach_px : std::min(reach_px, kNear * expected->least_edge_px() + 0.5);
+      const double most_px = std::min(reach_px, kNear * expected->least_edge_px() + 0.5);
       if (!fitted || (fitted->pixel - expected->pixel).norm() > most_px) continue;
       found.push_back(
           {camera_index, chart, static_cast<int>(k), fitted->pixel, fitted->covariance_px2, false, false});

@@ -1,6 +1,7 @@
 #pragma once
-// A second look at the pictures, with everything roughly known: every corner of every chart is looked for where
-// it has to be, so bends, single corners and those the first search passed over are found as well. Pure.
+// A second look at the pictures, with everything roughly known: every corner of every chart is looked for
+// where it has to be, so bends, single corners and those the first search passed over are found as well.
+// Pure.
 
 #include <opencv2/core.hpp>
 
@@ -19,11 +20,11 @@ struct ExpectedCorner {
 std::optional<ExpectedCorner> expect(const geometry::Camera& camera, const ChartCorner& corner,
                                      const geometry::Pose2& vehicle_from_chart);
 
-/// The corners one camera sees. Those in `known` are fitted again where they were seen, others are found only
-/// within `reach_px` of where they are expected.
+/// The corners one camera sees: those in `known`, and others that are within `reach_px` of where they are
+/// expected.
 std::vector<SeenCorner> look_again(size_t camera_index, const geometry::Camera& camera, const cv::Mat& grey,
-                                   const std::vector<ChartPattern>& patterns, const std::vector<UnknownChart>& charts,
-                                   const std::vector<bool>& placed, const std::vector<SeenCorner>& known,
-                                   double reach_px);
+                                   const std::vector<ChartPattern>& patterns,
+                                   const std::vector<UnknownChart>& charts, const std::vector<bool>& placed,
+                                   const std::vector<SeenCorner>& known, double reach_px);
 
 }  // namespace svchain::calibration

@@ -8,12 +8,62 @@ namespace svchain::calibration {
 
 namespace {
 
-constexpr int kMostRounds = 6;
-constexpr double kSameSpread = 0.05;
-constexpr double kGate = 4;               // sigmas beyond which a corner does not agree
-constexpr double kLeastSpreadPx = 0.02;   // what no model of a corner is better than
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+
+constexpr int kMostRounds = 8;
+constexpr double kSettled = 0.05;  // change of a spread, of itself
+constexpr double kHuber = 2;       // sigmas from which on a corner counts less
+constexpr double kGate = 5;        // sigmas beyond which it does not agree
 constexpr double kLeastGatePx = 0.25;
+constexpr double kLeastSpreadPx = 0.02;  // what no model of a corner is better than
 constexpr double kStartSpreadPx = 0.5;
+constexpr double kFarPx = 1e3;  // of what cannot be seen
+
+/// One round of fitting: what came out and what is left of each corner.
+struct Round {
+  JointSolution solution;
+  std::vector<double> spread_px;  // by camera: the scatter beyond the corners' own uncertainty
+  std::vector<Vector2d> left_px;
+};
+
+bool fits(const SeenCorner& seen) {
+  return !seen.held_out && !seen.rejected;
+}
+
+Matrix2d expected_covariance(const SeenCorner& seen, const std::vector<double>& spread_px) {
+  return seen.covariance_px2 + spread_px[seen.camera] * spread_px[seen.camera] * Matrix2d::Identity();
+}
+
+/// How far off a corner is, in its own sigmas.
+double sigmas_off(const Vector2d& left_px, const Matrix2d& covariance_px2) {
+  return std::sqrt(left_px.dot(covariance_px2.llt().solve(left_px)));
+}
+
+std::vector<Vector2d> what_is_left(const JointSolution& solution, const std::vector<SeenCorner>& corners,
+                                   const std::vector<ChartPattern>& patterns) {
+  std::vector<Vector2d> left_px;
+  for (const auto& seen : corners) {
+    left_px.push_back(
+        residual_px(sighting_of(seen, patterns), solution.cameras[seen.camera], solution.charts[seen.chart])
+            .value_or(Vector2d::Constant(kFarPx)));
+  }
+  return left_px;
+}
+
+JointProblem problem_of(const Round& last, const std::vector<SeenCorner>& corners,
+                        const std::vector<ChartPattern>& patterns) {
+  JointProblem problem{last.solution.cameras, last.solution.charts, {}};
+  for (size_t i = 0; i < corners.size(); ++i) {
+    if (!fits(corners[i])) continue;
+    CornerSighting sighting = sighting_of(corners[i], patterns);
+    sighting.covariance_px2 = expected_covariance(corners[i], last.spread_px);
+    if (!last.left_px.empty())
+      sighting.covariance_px2 *= std::max(1.0, sigmas_off(last.left_px[i], sighting.covariance_px2) / kHuber);
+    problem.sightings.push_back(sighting);
+  }
+  return problem;
+}
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
@@ -22,63 +72,57 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-JointProblem problem_of(const Estimate& estimate, const std::vector<SeenCorner>& corners,
-                        const std::vector<ChartPattern>& patterns, const std::vector<double>& spread_px) {
-  JointProblem problem{estimate.cameras, estimate.charts, {}};
-  for (const auto& seen : corners) {
-    if (seen.held_out || seen.rejected) continue;
-    CornerSighting sighting = sighting_of(seen, patterns);
-    sighting.covariance_px2 += spread_px[seen.camera] * spread_px[seen.camera] * Eigen::Matrix2d::Identity();
-    problem.sightings.push_back(sighting);
-  }
-  return problem;
+/// Share of a camera's rows that its unknowns leave free: the fewer, the closer a fit comes to any corners.
+double freedom(size_t camera, const JointSolution& solution, const std::vector<SeenCorner>& corners) {
+  const auto own = std::count_if(corners.begin(), corners.end(), [&](const SeenCorner& seen) {
+    return seen.camera == camera && !seen.held_out;
+  });
+  const double rows = std::max(2.0 * static_cast<double>(own), 1.0);
+  return std::max(rows - static_cast<double>(solution.covariance[camera].rows()), 1.0) / rows;
 }
 
-/// Distances in px of all corners of a camera from where they should be; what cannot be seen is far.
-std::vector<double> distances_px(const JointSolution& solution, const std::vector<SeenCorner>& corners,
-                                 const std::vector<ChartPattern>& patterns) {
-  constexpr double kFarPx = 1e3;
-  std::vector<double> distances;
-  for (const auto& seen : corners) {
-    const auto off = residual_px(sighting_of(seen, patterns), solution.cameras[seen.camera],
-                                 solution.charts[seen.chart]);
-    distances.push_back(off ? off->norm() : kFarPx);
-  }
-  return distances;
-}
-
-/// Marks a camera's corners anew; whether that changes any. A corner's distance is Rayleigh distributed: its
-/// median is 1.177 sigma.
-bool reject_outliers(const std::vector<double>& distances, size_t camera, std::vector<SeenCorner>& corners) {
+/// Marks a camera's corners anew; whether that changes any. In its own sigmas a corner's distance is Rayleigh
+/// distributed, its median 1.177.
+bool reject_outliers(size_t camera, const Round& round, std::vector<SeenCorner>& corners) {
   constexpr double kMedianOfRayleigh = 1.177;
-  std::vector<double> own;
+  std::vector<double> sigmas(corners.size()), own;
   for (size_t i = 0; i < corners.size(); ++i) {
-    if (corners[i].camera == camera && !corners[i].held_out) own.push_back(distances[i]);
+    if (corners[i].camera != camera) continue;
+    sigmas[i] = sigmas_off(round.left_px[i], expected_covariance(corners[i], round.spread_px));
+    if (!corners[i].held_out) own.push_back(sigmas[i]);
   }
-  const double sigma = median(own) / kMedianOfRayleigh;
+  const double usual = median(own) / kMedianOfRayleigh / std::sqrt(freedom(camera, round.solution, corners));
   bool changed = false;
   for (size_t i = 0; i < corners.size(); ++i) {
     if (corners[i].camera != camera) continue;
-    const double fit_sigma = std::sqrt(corners[i].covariance_px2.trace() / 2);
-    const bool far = distances[i] > std::max(kLeastGatePx, kGate * std::hypot(sigma, fit_sigma));
+    const bool far = sigmas[i] > kGate * std::max(1.0, usual) && round.left_px[i].norm() > kLeastGatePx;
     changed = changed || far != corners[i].rejected;
     corners[i].rejected = far;
   }
   return changed;
 }
 
-/// What the inliers scatter beyond their fits' uncertainty, the fit's own freedom allowed for.
-double spread_of(const std::vector<double>& distances, size_t camera, const std::vector<SeenCorner>& corners,
-                 double unknowns) {
-  double square = 0, explained = 0, rows = 0;
+double rms_px(size_t camera, const Round& round, const std::vector<SeenCorner>& corners) {
+  double sum = 0, count = 0;
   for (size_t i = 0; i < corners.size(); ++i) {
-    if (corners[i].camera != camera || corners[i].held_out || corners[i].rejected) continue;
-    square += distances[i] * distances[i];
-    explained += corners[i].covariance_px2.trace();
-    rows += 2;
+    if (corners[i].camera != camera || !fits(corners[i])) continue;
+    sum += round.left_px[i].squaredNorm();
+    ++count;
   }
-  if (rows <= unknowns) return kStartSpreadPx;
-  const double variance = square / (rows - unknowns) - explained / rows;
+  return count > 0 ? std::sqrt(sum / count) : 0;
+}
+
+/// What the corners that agree scatter beyond their fits' uncertainty, per axis.
+double spread_px(size_t camera, const Round& round, const std::vector<SeenCorner>& corners) {
+  double fit = 0, count = 0;
+  for (const auto& seen : corners) {
+    if (seen.camera != camera || !fits(seen)) continue;
+    fit += seen.covariance_px2.trace() / 2;
+    ++count;
+  }
+  if (count == 0) return kStartSpreadPx;
+  const double rms = rms_px(camera, round, corners);
+  const double variance = rms * rms / 2 / freedom(camera, round.solution, corners) - fit / count;
   return std::sqrt(std::max(variance, kLeastSpreadPx * kLeastSpreadPx));
 }
 
@@ -91,21 +135,21 @@ CornerSighting sighting_of(const SeenCorner& seen, const std::vector<ChartPatter
 
 FittedEstimate fit(const Estimate& start, std::vector<SeenCorner>& corners,
                    const std::vector<ChartPattern>& patterns) {
-  FittedEstimate fitted{{start.cameras, start.charts, {}, {}},
-                        std::vector<double>(start.cameras.size(), kStartSpreadPx)};
-  for (int round = 0; round < kMostRounds; ++round) {
-    fitted.solution = refine_jointly(
-        problem_of({fitted.solution.cameras, fitted.solution.charts}, corners, patterns, fitted.spread_px));
-    const auto distances = distances_px(fitted.solution, corners, patterns);
+  const size_t cameras = start.cameras.size();
+  Round round{{start.cameras, start.charts, {}, {}}, std::vector<double>(cameras, kStartSpreadPx), {}};
+  for (int i = 0; i < kMostRounds; ++i) {
+    round.solution = refine_jointly(problem_of(round, corners, patterns));
+    round.left_px = what_is_left(round.solution, corners, patterns);
     bool settled = true;
-    for (size_t camera = 0; camera < start.cameras.size(); ++camera) {
-      const auto unknowns = static_cast<double>(fitted.solution.covariance[camera].rows());
-      settled = !reject_outliers(distances, camera, corners) && settled;
-      const double before_px = std::exchange(fitted.spread_px[camera], spread_of(distances, camera, corners, unknowns));
-      settled = settled && std::abs(fitted.spread_px[camera] / before_px - 1) < kSameSpread;
+    for (size_t c = 0; c < cameras; ++c) {
+      settled = !reject_outliers(c, round, corners) && settled;
+      const double before = std::exchange(round.spread_px[c], spread_px(c, round, corners));
+      settled = settled && std::abs(round.spread_px[c] - before) <= kSettled * before;
     }
     if (settled) break;
   }
+  FittedEstimate fitted{std::move(round.solution), {}};
+  for (size_t c = 0; c < cameras; ++c) fitted.rms_px.push_back(rms_px(c, round, corners));
   return fitted;
 }
 

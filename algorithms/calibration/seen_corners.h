@@ -1,6 +1,7 @@
 #pragma once
-// Corners that cameras have been found to see, and everything refined by them. Outliers are told by what the
-// others leave unexplained; a lens whose corners do not fit as it is gets refined too. Pure.
+// Corners that cameras have been found to see, and everything refined by them. How much to believe of a
+// corner is told by what the others leave unexplained; what is somewhat off counts less (Huber, Ann. Math.
+// Stat. 35(1), 1964), what is far off not at all. Pure.
 
 #include <vector>
 
@@ -27,13 +28,14 @@ struct Estimate {
 
 struct FittedEstimate {
   JointSolution solution;
-  std::vector<double> spread_px;  // by camera: what corners scatter beyond their own fits' uncertainty
+  std::vector<double> rms_px;  // by camera, of the corners that agree
 };
 
 CornerSighting sighting_of(const SeenCorner& seen, const std::vector<ChartPattern>& patterns);
 
 /// Refines everything by the corners that are not held out and marks all that do not agree, held out or not.
 /// Lenses are kept unless they have a prior.
-FittedEstimate fit(const Estimate& start, std::vector<SeenCorner>& corners, const std::vector<ChartPattern>& patterns);
+FittedEstimate fit(const Estimate& start, std::vector<SeenCorner>& corners,
+                   const std::vector<ChartPattern>& patterns);
 
 }  // namespace svchain::calibration

@@ -26,7 +26,8 @@ std::vector<GroundSquare> find_single_squares(const GroundPicture& picture) {
   picture.grey.convertTo(grey, CV_8U);
   cv::resize(grey, large, {}, kScale, kScale, cv::INTER_LINEAR);
   const int neighbourhood = 2 * static_cast<int>(1.5 * kSidePx * kScale) + 1;
-  cv::adaptiveThreshold(large, dark, 255, cv::ADAPTIVE_THRESH_MEAN_C, cv::THRESH_BINARY_INV, neighbourhood, 10);
+  cv::adaptiveThreshold(large, dark, 255, cv::ADAPTIVE_THRESH_MEAN_C, cv::THRESH_BINARY_INV, neighbourhood,
+                        10);
   std::vector<std::vector<cv::Point>> contours;
   cv::findContours(dark, contours, cv::RETR_LIST, cv::CHAIN_APPROX_NONE);
   std::vector<GroundSquare> found;

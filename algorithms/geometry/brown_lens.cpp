@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "algorithms/geometry/off_axis.h"
 #include "algorithms/geometry/served_range.h"
 
 namespace svchain::geometry {
@@ -38,14 +39,10 @@ bool BrownLens::serves(double angle_rad) const {
 }
 
 std::optional<Eigen::Vector2d> BrownLens::project(const Eigen::Vector3d& ray) const {
-  const double across = std::hypot(ray.x(), ray.y());
-  if (across == 0) {
-    if (ray.z() > 0) return centre_px_;
-    return std::nullopt;
-  }
-  const double angle = std::atan2(across, ray.z());
-  if (!(angle <= max_angle_rad_ + kAngleSlackRad)) return std::nullopt;  // also refuses NaN
-  const Eigen::Vector2d plane = ray.head<2>() * (plane_radius(angle) / across);
+  const auto seen = off_axis(ray, max_angle_rad_);
+  if (!seen) return std::nullopt;
+  if (seen->across == 0) return centre_px_;
+  const Eigen::Vector2d plane = ray.head<2>() * (plane_radius(seen->angle_rad) / seen->across);
   return Eigen::Vector2d(distortion_.distort(plane).cwiseProduct(focal_px_) + centre_px_);
 }
 

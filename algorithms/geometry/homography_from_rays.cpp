@@ -13,7 +13,8 @@ Eigen::Matrix3d normalisation(const std::vector<GroundRay>& pairs) {
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   for (const auto& pair : pairs) mean += pair.ground_m / static_cast<double>(pairs.size());
   double distance = 0;
-  for (const auto& pair : pairs) distance += (pair.ground_m - mean).norm() / static_cast<double>(pairs.size());
+  for (const auto& pair : pairs)
+    distance += (pair.ground_m - mean).norm() / static_cast<double>(pairs.size());
   const double scale = distance > 0 ? std::sqrt(2) / distance : 1;
   Eigen::Matrix3d n;
   n << scale, 0, -scale * mean.x(), 0, scale, -scale * mean.y(), 0, 0, 1;

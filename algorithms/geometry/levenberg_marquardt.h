@@ -11,10 +11,10 @@
 
 namespace svchain::geometry {
 
+/// The minimum next to the start, reached when a round lowers the sum by less than `enough` of it.
 template <class Model, class State>
-State least_squares(const Model& model, State state) {
+State least_squares(const Model& model, State state, double enough) {
   constexpr int kMostRounds = 100;
-  constexpr double kEnough = 1e-9;  // of the sum, in one round
   constexpr double kMostDamping = 1e12;
   Eigen::VectorXd r = model.residuals(state);
   double damping = 1e-3;
@@ -23,7 +23,7 @@ State least_squares(const Model& model, State state) {
     const Eigen::MatrixXd normal = j.transpose() * j;
     const Eigen::VectorXd gradient = j.transpose() * r;
     double gain = 0;
-    for (; gain <= 0 && damping < kMostDamping; damping *= gain > 0 ? 0.1 : 10) {
+    for (; gain <= 0 && damping<kMostDamping; damping *= gain> 0 ? 0.1 : 10) {
       Eigen::MatrixXd damped = normal;
       damped.diagonal() += damping * (normal.diagonal().array() + 1e-12).matrix();
       State tried = model.moved(state, -damped.ldlt().solve(gradient));
@@ -34,7 +34,7 @@ State least_squares(const Model& model, State state) {
       state = std::move(tried);
       r = std::move(tried_r);
     }
-    if (gain <= kEnough * r.squaredNorm()) break;
+    if (gain <= enough * r.squaredNorm()) break;
   }
   return state;
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "algorithms/geometry/monotone_root.h"
+#include "algorithms/geometry/off_axis.h"
 #include "algorithms/geometry/served_range.h"
 
 namespace svchain::geometry {
@@ -49,14 +50,10 @@ double Ocam::radius_slope(double angle_rad) const {
 }
 
 std::optional<Eigen::Vector2d> Ocam::project(const Eigen::Vector3d& ray) const {
-  const double across = std::hypot(ray.x(), ray.y());
-  if (across == 0) {
-    if (ray.z() > 0) return centre_px_;
-    return std::nullopt;
-  }
-  const double angle = std::atan2(across, ray.z());
-  if (!(angle <= max_angle_rad_ + kAngleSlackRad)) return std::nullopt;  // also refuses NaN
-  const double scale = std::max(radius_px(angle), 0.0) / across;
+  const auto seen = off_axis(ray, max_angle_rad_);
+  if (!seen) return std::nullopt;
+  if (seen->across == 0) return centre_px_;
+  const double scale = std::max(radius_px(seen->angle_rad), 0.0) / seen->across;
   return Eigen::Vector2d(pixel_from_plane_ * (scale * ray.head<2>()) + centre_px_);
 }
 

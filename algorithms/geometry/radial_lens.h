@@ -12,6 +12,7 @@
 #include "algorithms/geometry/angles.h"
 #include "algorithms/geometry/lens.h"
 #include "algorithms/geometry/monotone_root.h"
+#include "algorithms/geometry/off_axis.h"
 #include "algorithms/geometry/served_range.h"
 
 namespace svchain::geometry {
@@ -32,14 +33,10 @@ class RadialLens : public Lens {
   double max_angle_rad() const override { return max_angle_rad_; }
 
   std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& ray) const override {
-    const double across = std::hypot(ray.x(), ray.y());
-    if (across == 0) {
-      if (ray.z() > 0) return centre_px_;
-      return std::nullopt;
-    }
-    const double angle = std::atan2(across, ray.z());
-    if (!(angle <= max_angle_rad_ + kAngleSlackRad)) return std::nullopt;  // also refuses NaN
-    const double scale = curve_.radius(angle) / across;
+    const auto seen = off_axis(ray, max_angle_rad_);
+    if (!seen) return std::nullopt;
+    if (seen->across == 0) return centre_px_;
+    const double scale = curve_.radius(seen->angle_rad) / seen->across;
     return Eigen::Vector2d(focal_px_.x() * scale * ray.x() + centre_px_.x(),
                            focal_px_.y() * scale * ray.y() + centre_px_.y());
   }

@@ -8,6 +8,7 @@ namespace svchain::geometry {
 
 namespace {
 
+constexpr double kEnough = 1e-12;
 constexpr double kLostPx = 100;  // residual of a point that the lens cannot see from a pose
 
 /// The six numbers of one camera's pose.
@@ -48,7 +49,7 @@ struct PoseModel {
 
 RefinedPose refine_pose(const Lens& lens, const std::vector<Sighting>& sightings, const Rigid3& start) {
   const PoseModel model{lens, sightings};
-  const Rigid3 pose = least_squares(model, start);
+  const Rigid3 pose = least_squares(model, start, kEnough);
   return {pose, std::sqrt(model.residuals(pose).squaredNorm() / static_cast<double>(sightings.size()))};
 }
 

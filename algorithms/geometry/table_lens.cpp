@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/geometry/off_axis.h"
+
 namespace svchain::geometry {
 
 namespace {
@@ -20,14 +22,10 @@ TableLens::TableLens(LensTable table, double pixel_um, Eigen::Vector2d centre_px
       max_radius_px_(height_mm_.at(max_angle_rad_) / (pixel_um_ * kMmPerUm)) {}
 
 std::optional<Eigen::Vector2d> TableLens::project(const Eigen::Vector3d& ray) const {
-  const double across = std::hypot(ray.x(), ray.y());
-  if (across == 0) {
-    if (ray.z() > 0) return centre_px_;
-    return std::nullopt;
-  }
-  const double angle = std::atan2(across, ray.z());
-  if (!(angle <= max_angle_rad_ + kAngleSlackRad)) return std::nullopt;  // also refuses NaN
-  const double scale = height_mm_.at(angle) / (pixel_um_ * kMmPerUm) / across;
+  const auto seen = off_axis(ray, max_angle_rad_);
+  if (!seen) return std::nullopt;
+  if (seen->across == 0) return centre_px_;
+  const double scale = height_mm_.at(seen->angle_rad) / (pixel_um_ * kMmPerUm) / seen->across;
   return Eigen::Vector2d(centre_px_ + scale * ray.head<2>());
 }
 

@@ -20,9 +20,9 @@ struct AlignmentTask {
   std::array<cv::Mat, 4> frames;        // front, right, rear, left; 8 bits, BGR or grey
   std::array<GroundCamera, 4> cameras;  // with the matrices to start from
   geometry::Vehicle vehicle;
-  geometry::View view;    // the ground that is aligned, and the scale in whose pixels residuals are
-  Uncertainty start;      // of the matrices
-  bool hold_out = false;  // every second match stays out of the fit and is only measured
+  geometry::View view;  // the ground that is aligned, and the scale in whose pixels residuals are
+  Uncertainty start;    // of the matrices
+  size_t folds = 4;     // for what is held out: each of so many parts in turn (2: halves)
 };
 
 struct Match {
@@ -30,8 +30,8 @@ struct Match {
   Eigen::Vector2d pixel_b;
   Eigen::Vector2d ground_m;  // midway between where both put it
   double residual_px = 0;    // between where both put it, in px of the view
-  bool inlier = false;
-  bool held_out = false;
+  double held_out_px = 0;    // the same under matrices that were fitted without this match and its fold
+  bool inlier = false;       // by the held-out residual
 };
 
 /// The matches of camera `a` and the next one clockwise, `b`.
@@ -40,8 +40,10 @@ struct OverlapAlignment {
   size_t b = 0;
   std::vector<Match> matches;
 
-  /// Of the inliers that were fitted, or of those held out; 0 where there are none.
-  double rms_px(bool held_out) const;
+  size_t inliers() const;
+  /// Of the inliers, root mean square; 0 where there are none.
+  double residual_rms_px() const;
+  double held_out_rms_px() const;
 };
 
 struct Alignment {
@@ -50,7 +52,8 @@ struct Alignment {
   std::vector<StageTime> times;
 };
 
-/// Faults: a frame that is not as large as its camera's image says, a singular matrix, an overlap with too few matches.
+/// Faults: a frame that is not what its camera takes, a singular matrix, an uncertainty that is not positive;
+/// overlaps with too few matches, which tell what was found there.
 Result<Alignment> align(const AlignmentTask& task);
 
 }  // namespace svchain::registration

@@ -7,7 +7,7 @@ namespace svchain::registration {
 
 namespace {
 
-constexpr double kReach = 3;           // standard deviations
+constexpr double kReach = 3;            // standard deviations
 constexpr double kMostDistance = 0.35;  // of descriptors; 0.5 is chance
 
 struct Likeness {

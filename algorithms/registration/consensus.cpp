@@ -1,17 +1,19 @@
 #include "algorithms/registration/consensus.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <random>
 
 namespace svchain::registration {
 
 namespace {
 
-constexpr int kTrials = 1500;
-constexpr size_t kFewest = 4;
-constexpr double kTolerance = 3;        // in standard deviations of the noise
-constexpr double kCurvature = 0.1;      // tolerance also grows by this part of a correction: it is not linear
-constexpr double kWorthOfACorner = 4;   // against the prior's half squares: log of window to tolerance
+constexpr int kTrials = 3000;
+constexpr size_t kFewest = 7;
+constexpr double kLeastShare = 0.25;   // of all candidates: fewer agree by chance, on charts above all
+constexpr double kTolerance = 3;       // in standard deviations of the noise
+constexpr double kCurvature = 0.1;     // tolerance also grows by this part of a correction: it is not linear
+constexpr double kWorthOfACorner = 2;  // against the prior's half squares: log of window to tolerance
 
 using Correction = Eigen::Matrix<double, 16, 1>;
 
@@ -95,7 +97,8 @@ std::vector<size_t> consensus(const std::vector<LinearPair>& pairs, const PairCo
   }
   std::vector<size_t> agreeing;
   vote.count(best, &agreeing);
-  if (agreeing.size() < kFewest) agreeing.clear();
+  const auto fewest = static_cast<size_t>(kLeastShare * static_cast<double>(pairs.size()));
+  if (agreeing.size() < std::max(kFewest, fewest)) agreeing.clear();
   return agreeing;
 }
 

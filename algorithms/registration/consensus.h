@@ -20,7 +20,8 @@ struct LinearPair {
 
 using PairCovariance = Eigen::Matrix<double, 16, 16>;  // of the steps of both cameras
 
-/// Indices of the candidates that agree, at most one for each corner. Fewer than four mean nothing: empty.
+/// Indices of the candidates that agree, at most one for each corner. Empty where they are so few that chance
+/// explains them.
 std::vector<size_t> consensus(const std::vector<LinearPair>& pairs, const PairCovariance& prior,
                               double noise_m);
 

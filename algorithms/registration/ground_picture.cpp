@@ -58,7 +58,8 @@ Pyramid pyramid(const cv::Mat& frame) {
   while (levels.size() < kLevels && std::min(levels.back().cols, levels.back().rows) >= 16) {
     const cv::Size halved(levels.back().cols / 2, levels.back().rows / 2);
     cv::Mat half;
-    cv::resize(levels.back()({0, 0, 2 * halved.width, 2 * halved.height}), half, halved, 0, 0, cv::INTER_AREA);
+    cv::resize(levels.back()({0, 0, 2 * halved.width, 2 * halved.height}), half, halved, 0, 0,
+               cv::INTER_AREA);
     levels.push_back(half);
   }
   return levels;
@@ -80,8 +81,8 @@ cv::Mat ground_picture(const Pyramid& frame, const GroundCamera& camera, const g
       const int width = std::min(kBlock, picture.cols - block * kBlock);
       for (int i = 0; i < width; ++i) {
         const cv::Vec2f pixel = from + static_cast<float>(i) / kBlock * across;
-        row[block * kBlock + i] = sample(frame[level], (pixel[0] + 0.5F) * scale - 0.5F,
-                                         (pixel[1] + 0.5F) * scale - 0.5F);
+        row[block * kBlock + i] =
+            sample(frame[level], (pixel[0] + 0.5F) * scale - 0.5F, (pixel[1] + 0.5F) * scale - 0.5F);
       }
     }
   }

@@ -7,16 +7,26 @@ namespace svchain::registration {
 
 namespace {
 
-constexpr int kWindowPx = 9;
-constexpr int kDerivativePx = 5;
+constexpr double kWindowPx = 2;  // standard deviation of the Gaussian: a square window's answer is flat
 constexpr double kHarris = 0.06;
+
+/// det M - k trace^2 M of the structure tensor M.
+cv::Mat harris(const cv::Mat& picture) {
+  cv::Mat x, y;
+  cv::Sobel(picture, x, CV_32F, 1, 0);
+  cv::Sobel(picture, y, CV_32F, 0, 1);
+  cv::Mat xx = x.mul(x), xy = x.mul(y), yy = y.mul(y);
+  for (cv::Mat* product : {&xx, &xy, &yy}) cv::GaussianBlur(*product, *product, {0, 0}, kWindowPx);
+  const cv::Mat trace = xx + yy;
+  return xx.mul(yy) - xy.mul(xy) - kHarris * trace.mul(trace);
+}
 
 }  // namespace
 
 std::vector<cv::Point> strongest_corners(const cv::Mat& picture, const cv::Mat& where, size_t most,
                                          int spacing_px) {
-  cv::Mat response, highest;
-  cv::cornerHarris(picture, response, kWindowPx, kDerivativePx, kHarris);
+  const cv::Mat response = harris(picture);
+  cv::Mat highest;
   const int width = 2 * spacing_px + 1;
   cv::dilate(response, highest, cv::getStructuringElement(cv::MORPH_RECT, {width, width}));
   std::vector<cv::Point> corners;
@@ -32,8 +42,15 @@ std::vector<cv::Point> strongest_corners(const cv::Mat& picture, const cv::Mat& 
     const float a = response.at<float>(one), b = response.at<float>(other);
     return a != b ? a > b : std::pair(one.y, one.x) < std::pair(other.y, other.x);
   });
-  if (corners.size() > most) corners.resize(most);
-  return corners;
+  std::vector<cv::Point> chosen;
+  for (const auto& corner : corners) {
+    if (chosen.size() == most) break;
+    const bool crowded = std::any_of(chosen.begin(), chosen.end(), [&](const cv::Point& other) {
+      return std::max(std::abs(corner.x - other.x), std::abs(corner.y - other.y)) <= spacing_px;
+    });
+    if (!crowded) chosen.push_back(corner);  // equals, as on a drawn chart, are highest side by side
+  }
+  return chosen;
 }
 
 }  // namespace svchain::registration

@@ -44,16 +44,14 @@ struct Problem {
     gradient = information.cwiseProduct(x);
     for (const auto& pair : pairs) {
       const Disagreement d = meter.measure(pair);
-      const double weight =
-          1 / (noise_m * noise_m + d.metres.squaredNorm() / (kCauchy * kCauchy));
+      const double weight = 1 / (noise_m * noise_m + d.metres.squaredNorm() / (kCauchy * kCauchy));
       const Eigen::Index from[2] = {static_cast<Eigen::Index>(8 * pair.a),
                                     static_cast<Eigen::Index>(8 * pair.b)};
       for (int i = 0; i < 2; ++i) {
         const auto ji = d.jacobian.middleCols<8>(8 * i);
         gradient.segment<8>(from[i]) += weight * ji.transpose() * d.metres;
         for (int k = 0; k < 2; ++k) {
-          normal.block<8, 8>(from[i], from[k]) +=
-              weight * ji.transpose() * d.jacobian.middleCols<8>(8 * k);
+          normal.block<8, 8>(from[i], from[k]) += weight * ji.transpose() * d.jacobian.middleCols<8>(8 * k);
         }
       }
     }

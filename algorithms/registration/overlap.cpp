@@ -13,10 +13,10 @@ namespace svchain::registration {
 
 namespace {
 
-constexpr double kBorderPx = 2;                                // of the image
-constexpr double kRimRad = geometry::radians(10);              // inside the lens's largest angle
-constexpr double kWidestRad = geometry::radians(82);           // beyond, housings stand in the picture
-constexpr int kCellPx = 4;                                     // of what both see
+constexpr double kBorderPx = 2;                       // of the image
+constexpr double kRimRad = geometry::radians(10);     // inside the lens's largest angle
+constexpr double kWidestRad = geometry::radians(82);  // beyond, housings stand in the picture
+constexpr int kCellPx = 4;                            // of what both see
 
 bool on_vehicle(const geometry::Vehicle& vehicle, const Eigen::Vector2d& ground) {
   return std::abs(ground.x()) < vehicle.length_m / 2 && std::abs(ground.y()) < vehicle.width_m / 2;

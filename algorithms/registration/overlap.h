@@ -9,7 +9,7 @@
 
 namespace svchain::registration {
 
-/// The four overlaps in the paper's order: camera m and the next one clockwise.
+/// The other camera of overlap m: the paper counts overlaps by their first camera, clockwise.
 inline size_t next_clockwise(size_t camera) {
   return (camera + 1) % 4;
 }

@@ -1,6 +1,8 @@
 #include "algorithms/registration/overlap_match.h"
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
 
 #include "algorithms/registration/candidates.h"
 #include "algorithms/registration/harris.h"
@@ -12,9 +14,10 @@ namespace svchain::registration {
 namespace {
 
 constexpr size_t kMostCorners = 150;  // in each picture
-constexpr int kSpacingPx = 8;  // of the view
-constexpr double kSlackPx = 3;    // of windows, beside what the covariance says
-constexpr double kNoisePx = 1.5;    // of a corner's place
+constexpr double kSpacingPx = 8;      // of the view
+constexpr int kLeastSpacingPx = 3;    // of the picture
+constexpr double kSlackPx = 3;        // of windows, beside what the covariance says
+constexpr double kNoisePx = 1.5;      // of a corner's place
 
 /// One of the two pictures of an overlap.
 struct Side {
@@ -42,7 +45,9 @@ RayPair rays_of(const Knowledge& knowledge, const Overlap& overlap, const Eigen:
 }
 
 void find_corners(const Knowledge& knowledge, Side& side, const Overlap& overlap, StageClock& clock) {
-  side.places = strongest_corners(side.picture, overlap.seen, kMostCorners, std::max(3,(int)std::lround(kSpacingPx*knowledge.view.metres_per_px/overlap.view.metres_per_px)));
+  const double scale = knowledge.view.metres_per_px / overlap.view.metres_per_px;
+  const int spacing_px = std::max(kLeastSpacingPx, static_cast<int>(std::lround(kSpacingPx * scale)));
+  side.places = strongest_corners(side.picture, overlap.seen, kMostCorners, spacing_px);
   clock.spent_on("corners");
   side.corners.descriptors = describe(side.picture, overlap.seen, side.places);
   for (const auto& place : side.places) side.corners.grounds.push_back(ground_at(overlap.view, place));
@@ -64,15 +69,15 @@ std::vector<Eigen::Matrix2d> windows_of(const Knowledge& knowledge, const Disagr
 std::vector<Candidate> agreed(const Knowledge& knowledge, const Overlap& overlap, size_t alternatives,
                               size_t& count, StageClock& clock) {
   const DisagreementMeter meter(knowledge.starts, knowledge.steps);
-  const auto found = candidates(overlap.a.corners, overlap.b.corners,
-                                windows_of(knowledge, meter, overlap), alternatives);
+  const auto found =
+      candidates(overlap.a.corners, overlap.b.corners, windows_of(knowledge, meter, overlap), alternatives);
   count = found.size();
   clock.spent_on("match");
   std::vector<LinearPair> pairs;
   for (const auto& candidate : found) {
-    pairs.push_back({candidate.in_a,
-                     meter.measure(rays_of(knowledge, overlap, overlap.a.corners.grounds[candidate.in_a],
-                                           overlap.b.corners.grounds[candidate.in_b]))});
+    pairs.push_back(
+        {candidate.in_a, meter.measure(rays_of(knowledge, overlap, overlap.a.corners.grounds[candidate.in_a],
+                                               overlap.b.corners.grounds[candidate.in_b]))});
   }
   std::vector<Candidate> chosen;
   for (const size_t i : consensus(pairs, knowledge.covariance_of(overlap.a.camera, overlap.b.camera),
@@ -99,8 +104,8 @@ SmearedPicture smeared_at(const Knowledge& knowledge, const Overlap& overlap, co
 }
 
 /// The feature of a chosen candidate; nothing where patches are asked for and do not match.
-std::optional<Feature> feature_of(const Knowledge& knowledge, const Overlap& overlap,
-                                  const Candidate& chosen, bool patches) {
+std::optional<Feature> feature_of(const Knowledge& knowledge, const Overlap& overlap, const Candidate& chosen,
+                                  bool patches) {
   const cv::Point place_a = overlap.a.places[chosen.in_a];
   const cv::Point place_b = overlap.b.places[chosen.in_b];
   Eigen::Vector2d shift(place_b.x - place_a.x, place_b.y - place_a.y);
@@ -139,8 +144,7 @@ OverlapFeatures match_overlap(const Knowledge& knowledge, size_t a, const Finene
   if (!view) return {};
   Overlap overlap{*view, seen_by_both(sight_a, sight_b, *view), {a, {}, {}, {}}, {b, {}, {}, {}}};
   for (Side* side : {&overlap.a, &overlap.b}) {
-    side->picture =
-        ground_picture(knowledge.frames[side->camera], knowledge.cameras[side->camera], *view);
+    side->picture = ground_picture(knowledge.frames[side->camera], knowledge.cameras[side->camera], *view);
   }
   clock.spent_on("warp");
   for (Side* side : {&overlap.a, &overlap.b}) find_corners(knowledge, *side, overlap, clock);

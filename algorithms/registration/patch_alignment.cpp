@@ -11,9 +11,9 @@ namespace {
 
 constexpr int kHalf = 9;  // of the patch, px
 constexpr int kSide = 2 * kHalf + 1;
-constexpr double kFlat = 3;        // grey levels of standard deviation, below which a patch shows nothing
-constexpr double kEdge = 0.12;     // of the normal matrix's eigenvalues; below, a patch may slide along an edge
-constexpr double kAlike = 0.8;     // correlation
+constexpr double kFlat = 3;     // grey levels of standard deviation, below which a patch shows nothing
+constexpr double kEdge = 0.12;  // of the normal matrix's eigenvalues; below, a patch may slide along an edge
+constexpr double kAlike = 0.8;  // correlation
 constexpr double kPixelBlur = 0.6;  // standard deviation of a camera's own blur, in its pixels
 
 using Patch = Eigen::Array<double, kSide, kSide>;  // row by row as in the picture
@@ -26,17 +26,23 @@ float sample(const cv::Mat& picture, float x, float y) {
   return (1 - t) * ((1 - s) * upper[0] + s * upper[1]) + t * ((1 - s) * lower[0] + s * lower[1]);
 }
 
+cv::Rect square(const cv::Point& middle, int half) {
+  return {middle.x - half, middle.y - half, 2 * half + 1, 2 * half + 1};
+}
+
 /// The square of `half` pixels about `middle` as it would look through another camera's pixels. Empty where
-/// that takes more than is seen.
+/// the patch is not all seen.
 cv::Mat smeared(const cv::Mat& picture, const cv::Mat& seen, const cv::Point& middle, int half,
                 const Eigen::Matrix2d& picture_from_image) {
-  constexpr int kNodes = 2;  // each way
+  constexpr int kNodes = 2;       // each way
   constexpr double kApart = 1.0;  // in standard deviations
   const Eigen::Matrix2d node = kPixelBlur * kApart * picture_from_image;
-  const int reach = half + 2 + static_cast<int>(kNodes * node.cwiseAbs().rowwise().sum().maxCoeff());
-  const cv::Rect around(middle.x - reach, middle.y - reach, 2 * reach + 1, 2 * reach + 1);
-  if ((around & cv::Rect({0, 0}, seen.size())) != around) return {};
-  if (cv::countNonZero(seen(around)) != around.area()) return {};
+  const double farthest = kNodes * node.cwiseAbs().rowwise().sum().maxCoeff();
+  if (!(farthest < picture.cols)) return {};  // also where a camera's pixel covers endlessly much
+  const int reach = half + 2 + static_cast<int>(farthest);
+  const cv::Rect read = square(middle, reach), shown = square(middle, kHalf);
+  if ((read & cv::Rect({0, 0}, seen.size())) != read) return {};
+  if (cv::countNonZero(seen(shown)) != shown.area()) return {};
   cv::Mat patch = cv::Mat::zeros(2 * half + 1, 2 * half + 1, CV_32F);
   double sum = 0;
   for (int k = 0; k < (2 * kNodes + 1) * (2 * kNodes + 1); ++k) {
@@ -75,12 +81,6 @@ struct Template {
   double norm = 0;
   Eigen::Matrix2d normal;
 
-  bool is_corner() const {
-    const double half = normal.trace() / 2;
-    const double apart = std::sqrt(std::max(0.0, half * half - normal.determinant()));
-    return norm >= kFlat * kSide && half - apart >= kEdge * (half + apart);
-  }
-
   explicit Template(const cv::Mat& picture) {
     const Eigen::Vector2d middle(picture.cols / 2, picture.rows / 2);
     const Eigen::Vector2d x = Eigen::Vector2d::UnitX(), y = Eigen::Vector2d::UnitY();
@@ -90,6 +90,12 @@ struct Template {
     along_y = (centred_patch(picture, middle + y) - centred_patch(picture, middle - y)) / 2;
     const double across = (along_x * along_y).sum();
     normal << along_x.square().sum(), across, across, along_y.square().sum();
+  }
+
+  bool is_corner() const {
+    const double half = normal.trace() / 2;
+    const double apart = std::sqrt(std::max(0.0, half * half - normal.determinant()));
+    return norm >= kFlat * kSide && half - apart >= kEdge * (half + apart);
   }
 };
 

@@ -23,9 +23,8 @@ std::optional<Eigen::Matrix3d> normalised(const Eigen::Matrix3d& ray_from_ground
 Eigen::Matrix3d stepped(const Eigen::Matrix3d& ray_from_ground, const Step& step) {
   const Eigen::Vector3d turn = step.head<3>();
   const double angle = turn.norm();
-  const Eigen::Matrix3d rotation = angle > 0
-                                       ? Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix()
-                                       : Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d rotation =
+      angle > 0 ? Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() : Eigen::Matrix3d::Identity();
   Eigen::Matrix2d stretch;
   stretch << 1 + step[6], step[7], step[7], 1 - step[6];
   Eigen::Matrix3d moved = ray_from_ground;

@@ -59,4 +59,10 @@ struct SimulateOptions {
 };
 int simulate(const SimulateOptions& options);
 
+struct ChartsOptions {
+  std::optional<std::filesystem::path> charts;  // left out: the usual chart
+  std::filesystem::path output;                 // .pdf or .png
+};
+int print_charts(const ChartsOptions& options);
+
 }  // namespace svchain::program

@@ -7,9 +7,9 @@
 
 namespace svchain::program {
 
-enum class FileKind { kUseCase, kRig, kSoc, kScene };
+enum class FileKind { kUseCase, kRig, kSoc, kScene, kCharts };
 
-/// "use case", "rig", "SoC", "scene".
+/// "use case", "rig", "SoC", "scene", "charts".
 const char* name_of(FileKind kind);
 
 /// A file that is none of them is a fault that says what was looked for.

@@ -59,7 +59,7 @@ void add_list(CLI::App& app, Command& command) {
 }
 
 void add_validate(CLI::App& app, Command& command) {
-  auto* validate_app = app.add_subcommand("validate", "checks use cases, rigs, SoCs and scenes");
+  auto* validate_app = app.add_subcommand("validate", "checks use cases, rigs, SoCs, scenes and charts");
   const auto files = std::make_shared<std::vector<std::filesystem::path>>();
   validate_app->add_option("FILE", *files, "files to check")->required();
   validate_app->callback([files, &command] { command = [files] { return validate(*files); }; });
@@ -146,6 +146,23 @@ void add_simulate(CLI::App& app, Command& command) {
   simulate_app->callback([options, &command] { command = [options] { return simulate(*options); }; });
 }
 
+void add_charts(CLI::App& app, Command& command) {
+  auto* charts_app = app.add_subcommand("charts", "draws charts in true size, to be printed");
+  const auto options = std::make_shared<ChartsOptions>();
+  charts_app
+      ->add_option("--charts", options->charts,
+                   "a charts file; a checkerboard of 5 x 4 squares of 25 cm if left out")
+      ->type_name("CHARTS.json");
+  charts_app
+      ->add_option(
+          "--output", options->output,
+          "a .pdf with a page for each chart; or a .png, where there are several charts one for each: "
+          "charts.png becomes charts-NAME.png")
+      ->required()
+      ->type_name("FILE");
+  charts_app->callback([options, &command] { command = [options] { return print_charts(*options); }; });
+}
+
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
@@ -202,6 +219,7 @@ int obey(int argc, char** argv) {
   add_import(app, command);
   add_export(app, command);
   add_simulate(app, command);
+  add_charts(app, command);
   app.require_subcommand(0, 1);
   for (CLI::App* sub : app.get_subcommands({})) sub->allow_extras();
 

@@ -1,5 +1,6 @@
 #include <iostream>
 
+#include "algorithms/calibration/charts.h"
 #include "algorithms/geometry/rig.h"
 #include "algorithms/scene/scene_file.h"
 #include "usecases/svchain/commands.h"
@@ -27,6 +28,8 @@ Faults check(const fs::path& file, FileKind kind) {
       return faults_of(read_soc(file));
     case FileKind::kScene:
       return faults_of(scene::read_scene(file));
+    case FileKind::kCharts:
+      return faults_of(calibration::read_charts(file));
   }
   return {};
 }
