@@ -35,7 +35,8 @@ Quarter quarter_at(double a, double b, const Step& x, const Step& y, double rho)
   const double both = x.slope * y.slope;
   if (both == 0) return q;
   constexpr int kTerms = 16;
-  constexpr double kNothing = 1e-9;
+  constexpr double kNothing = 1e-6;
+  double share = 1;  // |rho|^n
   q.by_rho = 0;
   double power = 1;               // rho^n / n!
   double he_a = 1, he_b = 1;      // He_n
@@ -44,7 +45,8 @@ Quarter quarter_at(double a, double b, const Step& x, const Step& y, double rho)
     const double next_a = a * he_a - n * last_a, next_b = b * he_b - n * last_b;
     q.by_rho += both * power * he_a * he_b;
     power *= rho / (n + 1);
-    if (std::abs(power) < kNothing) break;
+    share *= std::abs(rho);  // He_n squared grows like n!
+    if (share < kNothing) break;
     q.height += both * power * he_a * he_b;
     q.by_a -= both * power * next_a * he_b;
     q.by_b -= both * power * he_a * next_b;
