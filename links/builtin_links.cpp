@@ -4,7 +4,7 @@
 #include "links/display/display.h"
 #include "links/dup.h"
 #include "links/gate.h"
-#include "links/geometric_alignment.h"
+#include "links/geometric_alignment/geometric_alignment.h"
 #include "links/merge.h"
 #include "links/null.h"
 #include "links/null_source.h"

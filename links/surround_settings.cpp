@@ -1,24 +1,45 @@
 #include "links/surround_settings.h"
 
+#include "algorithms/scene/nominal_rig.h"
 #include "algorithms/scene/scene_file.h"
 #include "links/capture/simulated_source.h"
 
 namespace svchain {
 
-Result<geometry::Rig> rig_in_use(const Configuration& configuration) {
+namespace {
+
+/// The setting "rig", or what the simulated scene gives instead.
+template <class FromScene>
+Result<geometry::Rig> rig_or(const Configuration& configuration, FromScene from_scene) {
   const std::string rig = configuration.setting("rig").text("value");
   if (!rig.empty()) return geometry::read_rig(rig);
+  const auto scene = simulated_scene(configuration);
+  if (!scene) return tl::unexpected(scene.error());
+  if (*scene) return from_scene(**scene);
+  const std::string input = configuration.setting("input").text("value");
+  return fail("--rig",
+              "missing: frames from \"" + input + "\" need a rig file that says how the cameras look");
+}
+
+}  // namespace
+
+Result<geometry::Rig> rig_in_use(const Configuration& configuration) {
+  return rig_or(configuration, [](const scene::Scene& scene) { return scene.rig; });
+}
+
+Result<geometry::Rig> nominal_rig_in_use(const Configuration& configuration) {
+  return rig_or(configuration, scene::nominal_rig);
+}
+
+Result<std::optional<scene::Scene>> simulated_scene(const Configuration& configuration) {
   const std::string input = configuration.setting("input").text("value");
   constexpr std::string_view kSimulated = "simulated:";
-  if (!input.starts_with(kSimulated)) {
-    return fail("--rig",
-                "missing: frames from \"" + input + "\" need a rig file that says how the cameras look");
-  }
+  if (!input.starts_with(kSimulated)) return std::nullopt;
   const auto file = find_scene(input.substr(kSimulated.size()));
   if (!file) return tl::unexpected(file.error());
   auto scene = scene::read_scene(*file);
   if (!scene) return tl::unexpected(scene.error());
-  return std::move(scene->rig);
+  return std::move(*scene);
 }
 
 Eigen::Vector2i view_size_px(const Configuration& configuration) {

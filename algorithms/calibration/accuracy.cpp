@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "algorithms/calibration/lens_prior.h"
 #include "algorithms/calibration/levelling.h"
 #include "algorithms/geometry/angles.h"
 #include "algorithms/geometry/lens_parameters.h"
@@ -110,7 +109,6 @@ class Judge {
   }
 
   void add_uncertainty(size_t c, CameraAccuracy& made) const {
-    const UnknownCamera& camera = fitted_.solution.cameras[c];
     const Eigen::MatrixXd& covariance = fitted_.solution.covariance[c];
     for (int axis = 0; axis < 3; ++axis) {
       made.sigma_rotation_deg[axis] = geometry::degrees(std::sqrt(covariance(axis, axis)));
@@ -118,7 +116,21 @@ class Judge {
     }
     made.ground_sigma_near_cm = ground_sigma_cm(c, 0.5 * scale_);
     made.ground_sigma_far_cm = ground_sigma_cm(c, 3 * scale_);
-    made.lens_change_px = lens_difference_px(*camera.lens, *input_.nominal.cameras[c].lens);
+    made.lens_change_px = lens_change_px(c);
+  }
+
+  /// Over the corners, for what a lens does where none are, nothing tells.
+  double lens_change_px(size_t c) const {
+    if (!fitted_.solution.cameras[c].lens_prior) return 0;
+    const geometry::Lens& given = *input_.nominal.cameras[c].lens;
+    Rms change_px;
+    for (const auto& seen : corners_) {
+      if (seen.camera != c || seen.rejected || seen.held_out) continue;
+      const auto ray = fitted_.solution.cameras[c].lens->unproject(seen.pixel);
+      const auto pixel = ray ? given.project(*ray) : std::nullopt;
+      if (pixel) change_px.add((*pixel - seen.pixel).norm());
+    }
+    return change_px.value();
   }
 
   /// Uncertainty of where the calibrated camera puts a point that far beside the vehicle, straight ahead of
@@ -181,14 +193,15 @@ class Judge {
           scale_ * limits_.most_ground_sigma_far_cm, "cm");
     const auto& pose = fitted_.solution.cameras[c].vehicle_from_camera;
     const auto& nominal = input_.nominal.cameras[c].vehicle_from_camera;
+    const auto tolerance = input_.tolerance.value_or(tape_tolerance(input_.nominal.vehicle));
     limit("the turn from the nominal pose",
           geometry::degrees(pose.rotation.angularDistance(nominal.rotation)),
-          limits_.most_turn_from_nominal_deg, "degrees");
+          limits_.most_turn_from_nominal * tolerance.rotation_deg, "degrees");
     limit("the shift from the nominal pose", (pose.translation - nominal.translation).norm(),
-          scale_ * limits_.most_shift_from_nominal_m, "m");
+          limits_.most_shift_from_nominal * tolerance.position_m, "m");
     if (made.lens_change_px > limits_.most_lens_change_px)
       reasons.push_back(beyond("the lens does not fit: its change", made.lens_change_px,
-                               limits_.most_lens_change_px, "px RMS over the field"));
+                               limits_.most_lens_change_px, "px RMS over the corners"));
   }
 
   const CalibrationInput& input_;

@@ -15,8 +15,8 @@ struct AcceptanceLimits {
   double most_ground_sigma_far_cm = 6;
   double most_ground_rms_cm = 5;
   double most_overlap_rms_cm = 5;
-  double most_turn_from_nominal_deg = 10;
-  double most_shift_from_nominal_m = 0.3;
+  double most_turn_from_nominal = 4;   // in the nominal poses' tolerance
+  double most_shift_from_nominal = 6;  // likewise
   double most_lens_change_px = 12;
 };
 

@@ -6,6 +6,7 @@
 
 #include <map>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,17 @@ struct ClickedCorner {
   Eigen::Vector2d pixel = {0, 0};
 };
 
+/// How well the nominal poses are known, per axis of the vehicle.
+struct NominalTolerance {
+  double rotation_deg = 0;
+  double position_m = 0;
+};
+/// Of a rig measured by tape: 3 degrees, and 5 cm on a car.
+NominalTolerance tape_tolerance(const geometry::Vehicle& vehicle);
+
 struct CalibrationInput {
   geometry::Rig nominal;
+  std::optional<NominalTolerance> tolerance = {};  // missing: measured by tape
   std::vector<Chart> charts;
   std::vector<cv::Mat> pictures;  // front, right, rear, left; BGR or grey, 8 bits; none where all is clicked
   HoldOut hold_out = HoldOut::kNone;
@@ -56,7 +66,7 @@ struct CameraAccuracy {
   /// By the covariance, half a metre and three metres beside a car; a motion common to all cameras apart.
   double ground_sigma_near_cm = 0;
   double ground_sigma_far_cm = 0;
-  double lens_change_px = 0;         // RMS over the field; 0: the lens was kept
+  double lens_change_px = 0;         // RMS over the corners; 0: the lens was kept
   std::vector<std::string> reasons;  // why it is rejected; none: accepted
 };
 

@@ -34,33 +34,99 @@ std::optional<FittedCorner> fit_at(const geometry::Camera& camera, const cv::Mat
                     {*pixel, (*along_x - *pixel) / kShare, (*along_y - *pixel) / kShare, dark});
 }
 
-Fragment fragment_of(const Lattice& lattice, double side_m, const geometry::Camera& camera,
-                     const cv::Mat& grey) {
+Fragment pattern_of(const Lattice& lattice, double side_m) {
   Fragment fragment;
   for (const auto& node : lattice) {
-    const DarkQuarters dark = node.dark_diagonal ? 0b0101 : 0b1010;
-    const auto fitted = fit_at(camera, grey, node.ground_m, node.along_x_m, node.along_y_m, dark);
-    if (fitted)
-      fragment.corners.push_back(
-          {side_m * node.place.cast<double>(), dark, fitted->pixel, fitted->covariance_px2});
+    FragmentCorner corner;
+    corner.place_m = side_m * node.place.cast<double>();
+    corner.dark = node.dark_diagonal ? 0b0101 : 0b1010;
+    fragment.corners.push_back(corner);
   }
   return fragment;
 }
 
-/// A square, dark inside, with its corners counter-clockwise from the one at (-, -).
-Fragment fragment_of(const GroundSquare& square, double side_m, double reach_m,
-                     const geometry::Camera& camera, const cv::Mat& grey) {
+Fragment fragment_of(const Lattice& lattice, double side_m, const geometry::Camera& camera,
+                     const cv::Mat& grey) {
+  const Fragment pattern = pattern_of(lattice, side_m);
+  Fragment fragment;
+  for (size_t i = 0; i < lattice.size(); ++i) {
+    FragmentCorner corner = pattern.corners[i];
+    const auto fitted =
+        fit_at(camera, grey, lattice[i].ground_m, lattice[i].along_x_m, lattice[i].along_y_m, corner.dark);
+    if (!fitted) continue;
+    corner.pixel = fitted->pixel;
+    corner.covariance_px2 = fitted->covariance_px2;
+    fragment.corners.push_back(corner);
+  }
+  return fragment;
+}
+
+/// The corner of a square, dark inside, counter-clockwise from the one at (-, -).
+FragmentCorner square_corner(size_t k, double side_m) {
   constexpr std::array<std::array<double, 2>, 4> kOutwards = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
   constexpr std::array<DarkQuarters, 4> kInside = {0b0001, 0b0010, 0b0100, 0b1000};
+  FragmentCorner corner;
+  corner.place_m = side_m / 2 * Vector2d(kOutwards[k][0], kOutwards[k][1]);
+  corner.dark = kInside[k];
+  return corner;
+}
+
+Fragment fragment_of(const GroundSquare& square, double side_m, double reach_m,
+                     const geometry::Camera& camera, const cv::Mat& grey) {
   const Vector2d x = (square[1] - square[0] + square[2] - square[3]) / 2 * (reach_m / side_m);
   const Vector2d y = (square[3] - square[0] + square[2] - square[1]) / 2 * (reach_m / side_m);
   Fragment fragment;
   for (size_t k = 0; k < 4; ++k) {
-    if (const auto fitted = fit_at(camera, grey, square[k], x, y, kInside[k]))
-      fragment.corners.push_back({side_m / 2 * Vector2d(kOutwards[k][0], kOutwards[k][1]), kInside[k],
-                                  fitted->pixel, fitted->covariance_px2});
+    FragmentCorner corner = square_corner(k, side_m);
+    const auto fitted = fit_at(camera, grey, square[k], x, y, corner.dark);
+    if (!fitted) continue;
+    corner.pixel = fitted->pixel;
+    corner.covariance_px2 = fitted->covariance_px2;
+    fragment.corners.push_back(corner);
   }
   return fragment;
+}
+
+cv::Mat grey8(const GroundPicture& picture) {
+  cv::Mat made;
+  picture.grey.convertTo(made, CV_8U);
+  return made;
+}
+
+GroundPicture tag_picture(double side_m, const geometry::Camera& camera, const cv::Mat& grey) {
+  constexpr double kPart = 6;           // of a tag, that is kSidePx wide in the picture laid on the ground
+  constexpr double kLeastPartPx = 1.6;  // in the camera's: so that cells are told apart
+  return ground_picture(camera, grey, side_m / kPart, kLeastPartPx);
+}
+
+/// Tags, whose edges are a cell wide only: where a corner of one is too small to be fitted, it is as it was
+/// found.
+std::vector<Fragment> find_tag_fragments(double side_m, const geometry::Camera& camera, const cv::Mat& grey) {
+  constexpr double kRoughSigmaPx = 0.4;
+  constexpr double kCellsAcross = 8;
+  const GroundPicture picture = tag_picture(side_m, camera, grey);
+  std::vector<Fragment> found;
+  for (const auto& tag : find_tags(grey8(picture))) {
+    GroundSquare square;
+    for (size_t k = 0; k < 4; ++k) square[k] = picture.view.ground_from_pixel(tag.corners_px[k]);
+    Fragment fitted = fragment_of(square, side_m, side_m / kCellsAcross, camera, grey);
+    Fragment fragment;
+    fragment.tag_id = tag.id;
+    for (size_t k = 0; k < 4; ++k) {
+      FragmentCorner corner = square_corner(k, side_m);
+      const auto same = std::find_if(fitted.corners.begin(), fitted.corners.end(),
+                                     [&](const auto& other) { return other.dark == corner.dark; });
+      if (same != fitted.corners.end()) {
+        corner = *same;
+      } else if (const auto pixel = pixel_of(camera, square[k])) {
+        corner.pixel = *pixel;
+        corner.covariance_px2 *= kRoughSigmaPx * kRoughSigmaPx;
+      }
+      fragment.corners.push_back(corner);
+    }
+    found.push_back(std::move(fragment));
+  }
+  return found;
 }
 
 /// Sides of lattices, and of single squares with the reach of their corners, that these charts show.
@@ -90,12 +156,6 @@ Patterns patterns_of(const std::vector<Chart>& charts) {
   return patterns;
 }
 
-cv::Mat grey8(const GroundPicture& picture) {
-  cv::Mat made;
-  picture.grey.convertTo(made, CV_8U);
-  return made;
-}
-
 }  // namespace
 
 std::vector<Fragment> find_fragments(const geometry::Camera& camera, const cv::Mat& grey,
@@ -113,19 +173,35 @@ std::vector<Fragment> find_fragments(const geometry::Camera& camera, const cv::M
       found.push_back(fragment_of(square, side_m, reach_m, camera, grey));
   }
   for (const double side_m : patterns.tag_sides_m) {
-    // A tag is ten cells wide with its light margin: two thirds of them make squares that are resolved.
-    const GroundPicture picture = ground_picture(camera, grey, side_m / 3);
-    for (const auto& tag : find_tags(grey8(picture))) {
-      GroundSquare square;
-      for (size_t k = 0; k < 4; ++k) square[k] = picture.view.ground_from_pixel(tag.corners_px[k]);
-      Fragment fragment = fragment_of(square, side_m, side_m / 8, camera, grey);
-      fragment.tag_id = tag.id;
-      found.push_back(std::move(fragment));
-    }
+    for (auto& fragment : find_tag_fragments(side_m, camera, grey)) found.push_back(std::move(fragment));
   }
   std::erase_if(found, [](const Fragment& f) { return f.corners.size() < kLeastCorners; });
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.corners.size() > b.corners.size(); });
+  return found;
+}
+
+std::vector<Fragment> find_patterns(const geometry::Camera& camera, const cv::Mat& grey,
+                                    const std::vector<Chart>& charts) {
+  const Patterns patterns = patterns_of(charts);
+  std::vector<Fragment> found;
+  const auto add_square = [&](double side_m, std::optional<int> tag_id) {
+    Fragment fragment;
+    for (size_t k = 0; k < 4; ++k) fragment.corners.push_back(square_corner(k, side_m));
+    fragment.tag_id = tag_id;
+    found.push_back(std::move(fragment));
+  };
+  for (const double side_m : patterns.lattice_sides_m) {
+    for (const auto& lattice : find_lattices(find_saddles(ground_picture(camera, grey, side_m)), side_m))
+      found.push_back(pattern_of(lattice, side_m));
+  }
+  for (const auto& [side_m, reach_m] : patterns.square_sides_m) {
+    for (size_t n = find_single_squares(ground_picture(camera, grey, side_m)).size(); n > 0; --n)
+      add_square(side_m, std::nullopt);
+  }
+  for (const double side_m : patterns.tag_sides_m) {
+    for (const auto& tag : find_tags(grey8(tag_picture(side_m, camera, grey)))) add_square(side_m, tag.id);
+  }
   return found;
 }
 

@@ -19,14 +19,25 @@ struct FragmentCorner {
   Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Identity();
 };
 
+/// What the corners are, where somebody has pointed at them.
+struct KnownCorners {
+  size_t chart = 0;
+  std::vector<int> corner;  // none: it is not known
+};
+
 struct Fragment {
   std::vector<FragmentCorner> corners;
-  std::optional<int> tag_id;
+  std::optional<int> tag_id = {};
+  KnownCorners known = {};
 };
 
 /// What of these charts is in a picture (CV_8UC1), largest first. The camera's pose may be some degrees and a
 /// tenth of its height wrong.
 std::vector<Fragment> find_fragments(const geometry::Camera& camera, const cv::Mat& grey,
                                      const std::vector<Chart>& charts);
+
+/// The same pieces as far as their patterns tell, their corners not fitted and without pixels: quick.
+std::vector<Fragment> find_patterns(const geometry::Camera& camera, const cv::Mat& grey,
+                                    const std::vector<Chart>& charts);
 
 }  // namespace svchain::calibration

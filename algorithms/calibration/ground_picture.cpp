@@ -11,7 +11,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kLeastSidePx = 3.5;  // in the camera's picture, across the line of sight or along it
 constexpr int kLevels = 5;
 
 double metres_per_ground_px(double side_m) {
@@ -20,7 +19,7 @@ double metres_per_ground_px(double side_m) {
 
 /// How far away from the camera the ground can be resolved: a square at distance d on the ground, seen from
 /// height h, takes side h / (h^2 + d^2) rad along the line of sight.
-double reach_m(const geometry::Camera& camera, double side_m) {
+double reach_m(const geometry::Camera& camera, double side_m, double least_side_px) {
   constexpr double kSmallAngleRad = 0.01;
   constexpr double kOffNominal = 1.3;
   const auto aside = camera.lens->project({std::sin(kSmallAngleRad), 0, std::cos(kSmallAngleRad)});
@@ -28,14 +27,14 @@ double reach_m(const geometry::Camera& camera, double side_m) {
   if (!aside || !middle) return 0;
   const double px_per_rad = (*aside - *middle).norm() / kSmallAngleRad;
   const double height_m = std::max(camera.vehicle_from_camera.translation.z(), side_m);
-  return kOffNominal * std::sqrt(side_m * height_m * px_per_rad / kLeastSidePx);
+  return kOffNominal * std::sqrt(side_m * height_m * px_per_rad / least_side_px);
 }
 
-geometry::View view_around(const geometry::Camera& camera, double side_m) {
+geometry::View view_around(const geometry::Camera& camera, double side_m, double least_side_px) {
   constexpr double kMostPx = 1600;
   geometry::View view;
   view.metres_per_px = metres_per_ground_px(side_m);
-  const double across = std::min(2 * reach_m(camera, side_m) / view.metres_per_px, kMostPx);
+  const double across = std::min(2 * reach_m(camera, side_m, least_side_px) / view.metres_per_px, kMostPx);
   view.size_px.setConstant(static_cast<int>(std::ceil(across)));
   view.centre_m = camera.vehicle_from_camera.translation.head<2>();
   return view;
@@ -97,9 +96,10 @@ std::vector<cv::Mat1b> pyramid(const cv::Mat& grey) {
 }
 
 /// Fills the cell whose upper left corner is place (i, j).
-void fill(const cv::Mat2f& places, int i, int j, const std::vector<cv::Mat1b>& levels, GroundPicture& made) {
+void fill(const cv::Mat2f& places, int i, int j, const std::vector<cv::Mat1b>& levels, double least_side_px,
+          GroundPicture& made) {
   const Vector2d px = stretch(places, i, j);
-  if (!(px.minCoeff() * kSidePx >= kLeastSidePx)) return;  // NaN too
+  if (!(px.minCoeff() * kSidePx >= least_side_px)) return;  // NaN too
   // The finer of the two levels about the geometric mean of both stretches.
   const double mean = std::max(std::sqrt(px.x() * px.y()), 1.0);
   const int level = std::min(static_cast<int>(std::log2(mean)), static_cast<int>(levels.size()) - 1);
@@ -121,15 +121,16 @@ void fill(const cv::Mat2f& places, int i, int j, const std::vector<cv::Mat1b>& l
 
 }  // namespace
 
-GroundPicture ground_picture(const geometry::Camera& camera, const cv::Mat& grey, double side_m) {
+GroundPicture ground_picture(const geometry::Camera& camera, const cv::Mat& grey, double side_m,
+                             double least_side_px) {
   GroundPicture made;
-  made.view = view_around(camera, side_m);
+  made.view = view_around(camera, side_m, least_side_px);
   const cv::Mat2f places = picture_places(camera, made.view);
   const std::vector<cv::Mat1b> levels = pyramid(grey);
   made.grey = cv::Mat1f(made.view.size_px.y(), made.view.size_px.x(), 0.F);
   made.seen = cv::Mat1b(made.grey.size(), 0);
   for (int j = 0; j + 1 < places.rows; ++j) {
-    for (int i = 0; i + 1 < places.cols; ++i) fill(places, i, j, levels, made);
+    for (int i = 0; i + 1 < places.cols; ++i) fill(places, i, j, levels, least_side_px, made);
   }
   return made;
 }

@@ -19,8 +19,10 @@ struct GroundPicture {
 /// Pixels of a square's side in the pictures made here.
 inline constexpr double kSidePx = 12;
 
-/// All ground where a square of this side (m) takes at least a few pixels of the camera's picture (CV_8UC1).
-/// Coarser levels of the picture are used where the ground is near, so that nothing is aliased.
-GroundPicture ground_picture(const geometry::Camera& camera, const cv::Mat& grey, double side_m);
+/// All ground where a square of this side (m) takes so many pixels of the camera's picture (CV_8UC1), across
+/// the line of sight and along it. Coarser levels of the picture are used where the ground is near, so that
+/// nothing is aliased.
+GroundPicture ground_picture(const geometry::Camera& camera, const cv::Mat& grey, double side_m,
+                             double least_side_px = 3.5);
 
 }  // namespace svchain::calibration

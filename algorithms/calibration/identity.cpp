@@ -80,14 +80,23 @@ Identity shifted(const Fragment& fragment, const ChartPattern& pattern, size_t a
   return identity;
 }
 
-std::vector<int> tag_corners(const ChartPattern& pattern, const Fragment& fragment) {
+/// Both ways up: makers of tags do not agree which way up they are.
+std::vector<Identity> tag_identities(const ChartPattern& pattern, size_t chart, const Fragment& fragment) {
+  constexpr double kOtherWayUp = 0.5;
   const auto& tags = pattern.chart.tags;
   const auto tag =
       std::find_if(tags.begin(), tags.end(), [&](const Tag& t) { return t.id == fragment.tag_id; });
-  std::vector<int> found;
+  std::vector<Identity> found;
   if (tag == tags.end()) return found;
-  for (const auto& corner : fragment.corners)
-    found.push_back(corner_at(pattern, tag->place_m + corner.place_m));
+  for (const int quarters : {0, 2}) {
+    Identity identity{chart, {}, quarters == 0 ? 0 : -kOtherWayUp};
+    const Fragment turned = quarter_turned(fragment, quarters);
+    for (const auto& corner : turned.corners) {
+      identity.corner.push_back(corner_at(pattern, tag->place_m + corner.place_m));
+      identity.score += 1;
+    }
+    found.push_back(std::move(identity));
+  }
   return found;
 }
 
@@ -117,13 +126,15 @@ std::vector<ChartPattern> patterns_of(const std::vector<Chart>& charts) {
 }
 
 std::vector<Identity> identities(const Fragment& fragment, const std::vector<ChartPattern>& patterns) {
+  if (const KnownCorners& known = fragment.known; !known.corner.empty())
+    return {{known.chart, known.corner, static_cast<double>(known.corner.size())}};
   std::vector<Identity> found;
   for (size_t chart = 0; chart < patterns.size(); ++chart) {
     const bool tags = patterns[chart].chart.type == ChartType::kAprilTag36h11;
     if (tags != fragment.tag_id.has_value()) continue;
     if (tags) {
-      const auto corner = tag_corners(patterns[chart], fragment);
-      if (!corner.empty()) found.push_back({chart, corner, static_cast<double>(corner.size())});
+      for (auto& identity : tag_identities(patterns[chart], chart, fragment))
+        found.push_back(std::move(identity));
       continue;
     }
     for (int quarters = 0; quarters < 4; ++quarters)

@@ -52,8 +52,4 @@ Eigen::MatrixXd LensPrior::jacobian(const geometry::LensVariations& lens, Eigen:
   return j;
 }
 
-double lens_difference_px(const geometry::Lens& lens, const geometry::Lens& known) {
-  return LensPrior(known, 1).residuals(lens).norm();
-}
-
 }  // namespace svchain::calibration

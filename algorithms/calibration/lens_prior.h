@@ -25,7 +25,4 @@ class LensPrior {
   std::vector<Eigen::Vector2d> pixels_;
 };
 
-/// How much a lens differs from another, px RMS over the field.
-double lens_difference_px(const geometry::Lens& lens, const geometry::Lens& known);
-
 }  // namespace svchain::calibration

@@ -10,15 +10,20 @@
 
 namespace svchain::calibration {
 
-/// Where a camera has to see a corner, its edges in px; nothing where it does not, or too small to be told.
+/// Where a camera has to see a corner, and its edges in px.
 struct ExpectedCorner {
   Eigen::Vector2d pixel;
   Eigen::Vector2d along_x_px, along_y_px;  // as far as the corner reaches
 
   double least_edge_px() const { return std::min(along_x_px.norm(), along_y_px.norm()); }
+  bool can_be_found() const { return least_edge_px() > 2.5; }
 };
+/// Nothing where the camera does not see it.
 std::optional<ExpectedCorner> expect(const geometry::Camera& camera, const ChartCorner& corner,
                                      const geometry::Pose2& vehicle_from_chart);
+
+/// Null where there is no such corner.
+const SeenCorner* find(const std::vector<SeenCorner>& corners, size_t camera, size_t chart, int corner);
 
 /// The corners one camera sees: those in `known`, and others that are within `reach_px` of where they are
 /// expected.

@@ -16,7 +16,7 @@ constexpr double kSettled = 0.05;  // change of a spread, of itself
 constexpr double kHuber = 2;       // sigmas from which on a corner counts less
 constexpr double kGate = 5;        // sigmas beyond which it does not agree
 constexpr double kLeastGatePx = 0.25;
-constexpr double kLeastSpreadPx = 0.02;  // what no model of a corner is better than
+constexpr double kLeastSpreadPx = 0.006;  // what no model of a corner is better than
 constexpr double kStartSpreadPx = 0.5;
 constexpr double kFarPx = 1e3;  // of what cannot be seen
 

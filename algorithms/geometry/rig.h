@@ -37,6 +37,9 @@ struct Camera {
 struct Rig {
   Vehicle vehicle;
   std::vector<Camera> cameras;  // front, right, rear, left
+  /// What a calibration says of itself: a JSON object that files keep, "" where there is none. It holds for
+  /// these cameras, so who changes one has to clear it.
+  std::string calibration = {};
 };
 
 /// Reads a rig file (contracts: "Rig"), with every fault in it: unknown keys, missing cameras, numbers out of

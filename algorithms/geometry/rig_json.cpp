@@ -3,6 +3,7 @@
 
 #include "algorithms/geometry/lens_json.h"
 #include "algorithms/geometry/rig.h"
+#include "algorithms/json/layout.h"
 #include "algorithms/json/value.h"
 
 namespace svchain::geometry {
@@ -60,20 +61,10 @@ Camera read_camera(const std::string& name, const json::Value& camera) {
   return made;
 }
 
-/// Objects over several lines, arrays on one.
-void write(const ordered_json& value, const std::string& indent, std::string& text) {
-  if (!value.is_object()) {
-    text += value.dump();
-    return;
-  }
-  text += "{";
-  std::string separator = "\n";
-  for (const auto& [key, member] : value.items()) {
-    text += separator + indent + "  " + ordered_json(key).dump() + ": ";
-    write(member, indent + "  ", text);
-    separator = ",\n";
-  }
-  text += "\n" + indent + "}";
+/// As it stands in the text, its members in their order.
+std::string calibration_of(const json::Value& calibration, const std::string& text) {
+  calibration.members();  // an object, whose content is the calibration's own business
+  return calibration.is_object() ? ordered_json::parse(text)["calibration"].dump() : "";
 }
 
 }  // namespace
@@ -92,7 +83,7 @@ Result<Rig> parse_rig(const std::string& text, const std::string& file) {
       if (const auto camera = cameras.required(name)) rig.cameras.push_back(read_camera(name, camera));
     }
   }
-  root.optional("calibration").members();  // its content is the calibration's own business
+  rig.calibration = calibration_of(root.optional("calibration"), text);
   if (!faults.empty()) return tl::unexpected(std::move(faults));
   return rig;
 }
@@ -114,12 +105,10 @@ std::string rig_text(const Rig& rig) {
         {"vehicle_from_camera",
          {{"translation_m", {t.x(), t.y(), t.z()}}, {"quaternion_xyzw", {q.x(), q.y(), q.z(), q.w()}}}}};
   }
-  const ordered_json root = {
-      {"vehicle", {{"length_m", rig.vehicle.length_m}, {"width_m", rig.vehicle.width_m}}},
-      {"cameras", cameras}};
-  std::string text;
-  write(root, "", text);
-  return text + "\n";
+  ordered_json root = {{"vehicle", {{"length_m", rig.vehicle.length_m}, {"width_m", rig.vehicle.width_m}}},
+                       {"cameras", cameras}};
+  if (!rig.calibration.empty()) root["calibration"] = ordered_json::parse(rig.calibration);
+  return json::file_text(root);
 }
 
 }  // namespace svchain::geometry

@@ -30,6 +30,7 @@ double nominal_position_m(const Scene& scene) {
 
 geometry::Rig nominal_rig(const Scene& scene) {
   geometry::Rig rig = scene.rig;
+  rig.calibration.clear();
   for (size_t i = 0; i < rig.cameras.size(); ++i) {
     geometry::Rigid3& pose = rig.cameras[i].vehicle_from_camera;
     const Eigen::Vector3d turn = geometry::radians(scene.nominal.rotation_deg) * error(scene, i, kRotation);

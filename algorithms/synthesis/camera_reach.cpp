@@ -8,18 +8,19 @@
 
 namespace svchain::synthesis {
 
-CameraReach::CameraReach(const geometry::Camera& camera, const geometry::Vehicle& vehicle)
-    : lens_(camera.lens), vehicle_(vehicle), position_(camera.vehicle_from_camera.translation.head<2>()) {
-  const geometry::Rigid3 camera_from_vehicle = camera.vehicle_from_camera.inverse();
-  rotation_ = camera_from_vehicle.rotation.toRotationMatrix();
-  translation_ = camera_from_vehicle.translation;
+CameraReach::CameraReach(const geometry::Camera& camera, const Eigen::Matrix3d& ray_from_ground,
+                         const geometry::Vehicle& vehicle)
+    : lens_(camera.lens),
+      ray_from_ground_(ray_from_ground),
+      vehicle_(vehicle),
+      position_(camera.vehicle_from_camera.translation.head<2>()) {
   last_pixel_ = (camera.image_size_px.array() - 1).matrix().cast<double>();
   border_px_ = kBorder * camera.image_size_px.minCoeff();
   cos_lens_border_ = std::cos(std::max(0.0, lens_->max_angle_rad() - kLensBorderRad));
 }
 
 std::optional<CameraReach::Seen> CameraReach::see(const Eigen::Vector2d& ground) const {
-  const Eigen::Vector3d ray = rotation_.leftCols<2>() * ground + translation_;
+  const Eigen::Vector3d ray = ray_from_ground_.leftCols<2>() * ground + ray_from_ground_.col(2);
   const auto pixel = lens_->project(ray);
   if (!pixel) return std::nullopt;
   const double inside = std::min(pixel->minCoeff(), (last_pixel_ - *pixel).minCoeff());

@@ -22,15 +22,17 @@ class CameraReach {
   /// ... and this angle inside the lens's largest.
   static constexpr double kLensBorderRad = 0.175;
 
-  CameraReach(const geometry::Camera& camera, const geometry::Vehicle& vehicle);
+  /// `ray_from_ground` says where the camera sees the ground (geometric_lut.h); its pose is taken for what
+  /// its own vehicle hides, and for nothing else.
+  CameraReach(const geometry::Camera& camera, const Eigen::Matrix3d& ray_from_ground,
+              const geometry::Vehicle& vehicle);
 
   /// Where the camera sees a point of the ground (vehicle frame, metres, z = 0), nothing where it does not.
   std::optional<Seen> see(const Eigen::Vector2d& ground) const;
 
  private:
   geometry::LensPtr lens_;
-  Eigen::Matrix3d rotation_;  // camera from vehicle
-  Eigen::Vector3d translation_;
+  Eigen::Matrix3d ray_from_ground_;
   geometry::Vehicle vehicle_;
   Eigen::Vector2d position_;  // from above
   Eigen::Vector2d last_pixel_;

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <span>
 
+#include "algorithms/geometry/ray_from_ground.h"
 #include "algorithms/geometry/rig.h"
 #include "algorithms/geometry/view.h"
 #include "algorithms/synthesis/blend_shape.h"
@@ -75,12 +76,23 @@ size_t block_count(const Eigen::Vector2i& size_px);
 /// Bytes that are enough for the LUT of any rig at this view.
 size_t geometric_lut_capacity(const geometry::View& view, size_t cameras);
 
+/// How each of four cameras sees the ground: (x, y, 1), metres, to a ray in the camera's frame, up to a
+/// factor above 0.
+using RaysFromGround = std::array<Eigen::Matrix3d, 4>;
+
+/// As the poses of a rig of four cameras say.
+RaysFromGround rays_from_ground(const geometry::Rig& rig);
+
 /// Writes the LUT of a rig of four cameras into memory (aligned to 8 bytes) and returns the bytes used. What
 /// is under the vehicle shows its silhouette, what nobody sees is black. Throws std::invalid_argument, naming
 /// the culprit, where there are not four cameras, the blend's width is out of range, the memory does not
 /// suffice, or a block would need a box above 2048 px.
 size_t build_geometric_lut(const geometry::Rig& rig, const geometry::View& view, const BlendShape& shape,
                            std::span<std::byte> memory);
+/// The same by matrices that need not be those of rigid cameras (2D alignment). They alone say where a camera
+/// sees the ground; the rig gives lenses, image sizes and what the vehicle hides from where a camera is.
+size_t build_geometric_lut(const geometry::Rig& rig, const RaysFromGround& rays, const geometry::View& view,
+                           const BlendShape& shape, std::span<std::byte> memory);
 
 /// Reads a LUT in place. Borrows the memory; any number of threads.
 class GeometricLut {

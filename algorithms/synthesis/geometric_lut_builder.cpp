@@ -47,9 +47,10 @@ struct Cell {
 /// Decides what a pixel shows.
 class CellMaker {
  public:
-  CellMaker(const geometry::Rig& rig, const geometry::View& view, const BlendShape& shape)
+  CellMaker(const geometry::Rig& rig, const RaysFromGround& rays, const geometry::View& view,
+            const BlendShape& shape)
       : rig_(rig), view_(view), shape_(shape) {
-    for (const auto& camera : rig.cameras) reaches_.emplace_back(camera, rig.vehicle);
+    for (size_t i = 0; i < rays.size(); ++i) reaches_.emplace_back(rig.cameras[i], rays[i], rig.vehicle);
   }
 
   Cell make(int column, int row) const {
@@ -228,8 +229,12 @@ class BlockWriter {
   std::vector<std::array<uint8_t, 3>> pixels_;
 };
 
-void check(const geometry::Rig& rig, const geometry::View& view, const BlendShape& shape) {
+void check_count(const geometry::Rig& rig) {
   if (rig.cameras.size() != 4) refuse("expected four cameras, got " + std::to_string(rig.cameras.size()));
+}
+
+void check(const geometry::Rig& rig, const geometry::View& view, const BlendShape& shape) {
+  check_count(rig);
   for (const auto& camera : rig.cameras)
     if (!camera.lens || camera.image_size_px.minCoeff() < 2 || camera.image_size_px.maxCoeff() > 0xFFFF)
       refuse("camera " + camera.name + " has no lens, or an image that is not 2 to 65535 px wide and high");
@@ -264,8 +269,21 @@ size_t geometric_lut_capacity(const geometry::View& view, size_t cameras) {
          size_t(view.size_px.x()) * view.size_px.y() * pixel;
 }
 
+RaysFromGround rays_from_ground(const geometry::Rig& rig) {
+  check_count(rig);
+  RaysFromGround rays;
+  for (size_t i = 0; i < rays.size(); ++i)
+    rays[i] = geometry::ray_from_ground(rig.cameras[i].vehicle_from_camera);
+  return rays;
+}
+
 size_t build_geometric_lut(const geometry::Rig& rig, const geometry::View& view, const BlendShape& shape,
                            std::span<std::byte> memory) {
+  return build_geometric_lut(rig, rays_from_ground(rig), view, shape, memory);
+}
+
+size_t build_geometric_lut(const geometry::Rig& rig, const RaysFromGround& rays, const geometry::View& view,
+                           const BlendShape& shape, std::span<std::byte> memory) {
   check(rig, view, shape);
   if (reinterpret_cast<uintptr_t>(memory.data()) % alignof(LutHeader) != 0)
     refuse("the memory is not aligned");
@@ -276,7 +294,7 @@ size_t build_geometric_lut(const geometry::Rig& rig, const geometry::View& view,
   LutBlock* block = writer.append<LutBlock>(header.block_count);
 
   const cv::Mat background = vehicle_silhouette(rig.vehicle, view);
-  const CellMaker maker(rig, view, shape);
+  const CellMaker maker(rig, rays, view, shape);
   BlockWriter blocks(writer, header, background);
   std::vector<Cell> cells(kBlockPixels);
   for (int top = 0; top < header.height; top += kBlockSize)

@@ -312,6 +312,19 @@ TEST_CASE("a calibrated rig is read like any other, and $schema is accepted") {
   CHECK(parse_rig(text, "a.json"));
 }
 
+TEST_CASE("what a calibration says of itself survives rewriting, member by member in its order") {
+  const std::string part = R"({"date":"2026-01-01","cameras":{"front":{"rms_px":0.1},"a":[1,{}]}})";
+  const auto rig = parse_rig(rig_with(camera(kFisheye), ",\n\"calibration\":" + part), "a.json");
+  REQUIRE(rig);
+  CHECK(rig->calibration == part);
+  const auto again = parse_rig(rig_text(*rig), "b.json");
+  REQUIRE(again);
+  CHECK(again->calibration == part);
+  CHECK(rig_text(*again) == rig_text(*rig));
+  CHECK(parse_rig(rig_with(camera(kFisheye)), "a.json")->calibration.empty());
+  CHECK_FALSE(parse_rig(rig_with(camera(kFisheye), ",\n\"calibration\":[]"), "a.json"));
+}
+
 TEST_CASE("what is no rig at all is refused without a crash") {
   for (const char* text : {"", "null", "[]", "3", "{}", "{\"cameras\":[]}", "{\"cameras\":{\"front\":3}}",
                            "{\"vehicle\":null}"}) {

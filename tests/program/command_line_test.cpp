@@ -45,6 +45,7 @@ TEST_CASE("without anything to do the program says what it needs") {
 TEST_CASE("help names the commands and options there are, and none that are not") {
   const auto outcome = svchain_program({"--help"});
   CHECK(outcome.status == 0);
-  CHECK_THAT(outcome.out, Contains("validate") && Contains("--usecase") && Contains("--report"));
-  CHECK_THAT(outcome.out, !Contains("calibrate") && !Contains("--faults"));
+  CHECK_THAT(outcome.out,
+             Contains("validate") && Contains("calibrate") && Contains("--usecase") && Contains("--report"));
+  CHECK_THAT(outcome.out, !Contains("--faults"));
 }

@@ -97,10 +97,18 @@ double shape_error_m(const Perspectives& found) {
     }
   }
   const auto count = static_cast<Eigen::Index>(wanted.size());
-  const Eigen::Map<const Eigen::Matrix2Xd> to(wanted[0].data(), 2, count), from(got[0].data(), 2, count);
+  Eigen::Matrix2Xd to(2, count), from(2, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    to.col(i) = wanted[static_cast<size_t>(i)];
+    from.col(i) = got[static_cast<size_t>(i)];
+  }
   const Eigen::Matrix3d motion = Eigen::umeyama(from, to, true);
-  const Eigen::Matrix2Xd moved = (motion * from.colwise().homogeneous()).topRows<2>();
-  return (moved - to).norm() / std::sqrt(static_cast<double>(count));
+  const Eigen::Vector2d shift = motion.topRightCorner<2, 1>();
+  double squares = 0;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    squares += (motion.topLeftCorner<2, 2>() * from.col(i) + shift - to.col(i)).squaredNorm();
+  }
+  return std::sqrt(squares / static_cast<double>(count));
 }
 
 std::string text(const Faults& faults) {

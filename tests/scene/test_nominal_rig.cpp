@@ -68,3 +68,9 @@ TEST_CASE("the same seed gives the same nominal rig, another seed another one") 
   scene.seed = 2;
   CHECK(geometry::rig_text(nominal_rig(scene)) != text);
 }
+
+TEST_CASE("the nominal rig of a calibrated one is not calibrated") {
+  Scene scene = testing::small_scene();
+  scene.rig.calibration = "{}";
+  CHECK(nominal_rig(scene).calibration.empty());
+}

@@ -68,3 +68,23 @@ TEST_CASE("in real time a link that is too slow makes drops appear at the captur
     CHECK(pool["outstanding_at_stop"] == 0);
   }
 }
+
+TEST_CASE("in real time cameras go on while charts are found, and every set is accounted for") {
+  const SurroundView world;
+  ChainOptions options;
+  options.pace.real_time = true;
+  options.pace.fps = 30;
+  options.pace.frames = 40;
+  const auto report = run_with_threads(
+      world.plan("2dsv_2dsp", "tda2x", {"input=simulated:toy", "geometric_alignment.source=charts"}),
+      options);
+  CHECK(report["geometric_alignment"]["accepted"] == true);
+  CHECK(report["geometric_alignment"]["stages_ms"].size() >= 3);
+  CHECK(report["frames"]["captured"] == 40);
+  CHECK(accounted(report) == 40);
+  CHECK(report["frames"]["delivered"].get<int>() >= 1);
+  for (const auto& [name, pool] : report["pools"].items()) {
+    INFO(name);
+    CHECK(pool["outstanding_at_stop"] == 0);
+  }
+}

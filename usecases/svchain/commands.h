@@ -59,6 +59,18 @@ struct SimulateOptions {
 };
 int simulate(const SimulateOptions& options);
 
+/// What is missing is told beside all other faults.
+struct CalibrateOptions {
+  std::optional<std::filesystem::path> rig, charts;
+  std::optional<std::filesystem::path> images, corners;  // either or both
+  std::optional<std::filesystem::path> output;
+  std::optional<std::string> report;  // a file, or "-" for stdout
+  std::optional<std::filesystem::path> pictures;
+  std::optional<std::string> hold_out;
+  std::optional<std::string> start;
+};
+int calibrate(const CalibrateOptions& options);
+
 struct ChartsOptions {
   std::optional<std::filesystem::path> charts;  // left out: the usual chart
   std::filesystem::path output;                 // .pdf or .png

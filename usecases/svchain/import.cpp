@@ -102,7 +102,10 @@ Rig nominal_for(const Format& format, const std::optional<std::filesystem::path>
   }
   if (!given) return stand_in;
   auto nominal = geometry::read_rig(*given);
-  if (nominal) return std::move(*nominal);
+  if (nominal) {
+    nominal->calibration.clear();  // other lenses or poses: it does not hold any more
+    return std::move(*nominal);
+  }
   append(faults, nominal.error());
   return stand_in;
 }

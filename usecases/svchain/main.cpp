@@ -86,7 +86,8 @@ void add_graph(CLI::App& app, Command& command) {
 void add_schema(CLI::App& app, Command& command) {
   auto* schema_app = app.add_subcommand("schema", "the JSON Schema of a file format");
   const auto kind = std::make_shared<std::string>();
-  schema_app->add_option("KIND", *kind, "usecase, rig, charts, soc, scene or report")->required();
+  schema_app->add_option("KIND", *kind, "usecase, rig, charts, corners, calibration, soc, scene or report")
+      ->required();
   schema_app->callback([kind, &command] { command = [kind] { return schema(*kind); }; });
 }
 
@@ -144,6 +145,27 @@ void add_simulate(CLI::App& app, Command& command) {
                    "other noise, other ground, another nominal rig; 1 is the scene's own")
       ->type_name("N");
   simulate_app->callback([options, &command] { command = [options] { return simulate(*options); }; });
+}
+
+void add_calibrate(CLI::App& app, Command& command) {
+  auto* calibrate_app = app.add_subcommand("calibrate", "makes a rig right by pictures of charts");
+  const auto options = std::make_shared<CalibrateOptions>();
+  const auto add = [&](const char* name, auto& value, const char* type, const char* help) {
+    calibrate_app->add_option(name, value, help)->type_name(type);
+  };
+  add("--rig", options->rig, "NOMINAL.json", "the rig as far as it is known: poses good to a few degrees");
+  add("--charts", options->charts, "CHARTS.json", "what lies on the ground");
+  add("--images", options->images, "DIR", "a folder with front, right, rear and left");
+  add("--corners", options->corners, "FILE.json", "corners clicked by hand; then --images may be left out");
+  add("--output", options->output, "CALIBRATED.json", "the rig file to write");
+  add("--report", options->report, "FILE.json", "how good it is, corner by corner, as JSON; - is stdout");
+  add("--pictures", options->pictures, "DIR",
+      "a folder to make: each camera's picture with its corners in it, and all four laid on the ground");
+  add("--hold-out", options->hold_out, "WHICH",
+      "even or odd: leaves these corners out of the fit and reports on them");
+  add("--start", options->start, "HOW",
+      "nominal (the rig's poses, which is usual) or content: from what the pictures show of the charts");
+  calibrate_app->callback([options, &command] { command = [options] { return calibrate(*options); }; });
 }
 
 void add_charts(CLI::App& app, Command& command) {
@@ -219,6 +241,7 @@ int obey(int argc, char** argv) {
   add_import(app, command);
   add_export(app, command);
   add_simulate(app, command);
+  add_calibrate(app, command);
   add_charts(app, command);
   app.require_subcommand(0, 1);
   for (CLI::App* sub : app.get_subcommands({})) sub->allow_extras();

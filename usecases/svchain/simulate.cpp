@@ -2,7 +2,6 @@
 #include <csignal>
 #include <cstdio>
 #include <iostream>
-#include <opencv2/imgcodecs.hpp>
 
 #include "algorithms/geometry/view.h"
 #include "algorithms/scene/motion.h"
@@ -14,6 +13,7 @@
 #include "usecases/svchain/commands.h"
 #include "usecases/svchain/exit_status.h"
 #include "usecases/svchain/new_folder.h"
+#include "usecases/svchain/png_text.h"
 #include "usecases/svchain/run_numbers.h"
 #include "usecases/svchain/say_faults.h"
 #include "usecases/svchain/shipped_files.h"
@@ -31,12 +31,6 @@ Result<scene::Scene> read_scene_of(const SimulateOptions& options) {
   return tl::unexpected(file.error());
 }
 
-void write_picture(NewFolder& folder, const std::filesystem::path& name, const cv::Mat& picture) {
-  std::vector<uchar> png;
-  cv::imencode(".png", picture, png);
-  folder.write(name, {reinterpret_cast<const char*>(png.data()), png.size()});
-}
-
 std::filesystem::path picture_name(const std::string& camera, uint64_t frame, uint64_t frames) {
   const std::filesystem::path images = "images";
   if (frames == 1) return images / (camera + ".png");
@@ -50,8 +44,8 @@ void write_images(NewFolder& folder, const scene::StillRenderer& renderer, uint6
   for (uint64_t frame = 0; frame < frames; ++frame) {
     for (size_t camera = 0; camera < scene.rig.cameras.size() && !interrupted; ++camera) {
       const double time_s = static_cast<double>(scene::capture_time_ns(scene, camera, frame)) * 1e-9;
-      write_picture(folder, picture_name(scene.rig.cameras[camera].name, frame, frames),
-                    renderer.render(camera, time_s, frame));
+      folder.write(picture_name(scene.rig.cameras[camera].name, frame, frames),
+                   png_text(renderer.render(camera, time_s, frame)));
     }
   }
 }
@@ -60,7 +54,7 @@ void write_truth(NewFolder& folder, const scene::World& world) {
   const scene::Scene& scene = world.scene();
   geometry::View view;
   view.metres_per_px = geometry::default_metres_per_px(scene.rig.vehicle, view.size_px);
-  write_picture(folder, "ground.png", scene::ideal_top_view(world, view, 0));
+  folder.write("ground.png", png_text(scene::ideal_top_view(world, view, 0)));
   folder.write("truth.rig.json", geometry::rig_text(scene.rig));
   folder.write("nominal.rig.json", geometry::rig_text(scene::nominal_rig(scene)));
   folder.write("responses.json", scene::responses_text(scene.responses));

@@ -1,0 +1,103 @@
+#include "links/geometric_alignment/alignment_settings.h"
+
+#include <filesystem>
+#include <system_error>
+#include <unistd.h>
+
+#include "algorithms/synthesis/lut_file.h"
+#include "links/geometric_alignment/charts_alignment.h"
+#include "links/surround_settings.h"
+
+namespace svchain {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// "" where a file of this name can be made.
+std::string store_fault(const fs::path& path) {
+  std::error_code ignored;
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (fs::is_directory(path, ignored)) return path.string() + " is a folder, expected a file to be written";
+  if (!fs::is_directory(folder, ignored)) return "the folder " + folder.string() + " does not exist";
+  if (access(folder.c_str(), W_OK) != 0) return "the folder " + folder.string() + " is not writable";
+  return "";
+}
+
+/// Parameters that this source would not look at are faults: somebody expects something of them.
+void check_parameters(Configuration& configuration, const std::string& source) {
+  const Parameters& given = configuration.parameters();
+  const auto unused = [&](const char* parameter, const std::string& expected) {
+    configuration.parameter_fault(parameter,
+                                  "goes with source " + expected + ", but the source is " + source);
+  };
+  if (source == "saved" && !given.given("lut"))
+    configuration.parameter_fault("lut", "missing: source saved reads a LUT file");
+  if (source != "saved" && given.given("lut")) unused("lut", "saved");
+  const bool content = given.text("start") == "content";
+  if (content && source != "charts" && source != "features") unused("start", "charts or features");
+  if (source != "charts" && !content && given.given("charts")) unused("charts", "charts");
+  if (!given.given("store")) return;
+  if (source == "saved") return unused("store", "rig, charts or features");
+  const std::string fault = store_fault(given.text("store"));
+  if (!fault.empty()) configuration.parameter_fault("store", fault);
+}
+
+template <class T>
+void take(Result<T> read, Configuration& configuration, T& into) {
+  if (read) {
+    into = std::move(*read);
+  } else {
+    configuration.faults(read.error());
+  }
+}
+
+}  // namespace
+
+std::vector<ParameterDescription> alignment_parameters() {
+  return {
+      choice(
+          "source", "rig", {"rig", "saved", "charts", "features"},
+          "what the LUT is made from: the rig as it is, a stored LUT, charts on the ground or features of "
+          "the "
+          "overlaps; the latter two start from the rig, or on a simulated scene without one from poses as a "
+          "measuring tape has them"),
+      path("lut", "LUT file for source saved"),
+      path("charts",
+           "charts file, or a name in configs/charts, for source charts and start content; left out: the "
+           "simulated scene's own"),
+      choice(
+          "start", "nominal", {"nominal", "content"},
+          "where charts and features start from: the rig's poses, or what the pictures show of the charts"),
+      path("store", "LUT file to write when the LUT has been made"),
+      number("blend_deg", synthesis::BlendShape{}.width_deg, {0, 90}, "deg",
+             "angle around the vehicle's corner over which two cameras blend; 0: a hard seam; a stored LUT "
+             "keeps "
+             "its own"),
+  };
+}
+
+AlignmentSettings read_alignment_settings(Configuration& configuration) {
+  const Parameters& given = configuration.parameters();
+  AlignmentSettings settings;
+  settings.source = given.text("source");
+  settings.shape.width_deg = given.number("blend_deg");
+  settings.store = given.text("store");
+  check_parameters(configuration, settings.source);
+
+  auto rig = settings.looks_at_frames() ? nominal_rig_in_use(configuration) : rig_in_use(configuration);
+  const bool rig_is_there = rig.has_value();
+  take(std::move(rig), configuration, settings.rig);
+  settings.view = view_in_use(configuration, settings.rig.vehicle);
+  const std::string charts = given.text("charts");
+  settings.from_content = settings.looks_at_frames() && given.text("start") == "content";
+  if ((settings.source == "charts" || settings.from_content) && (rig_is_there || !charts.empty()))
+    settings.charts = charts_in_use(configuration, charts);
+  if (settings.source == "saved" && given.given("lut") && rig_is_there) {
+    take(synthesis::read_lut_file(given.text("lut"), settings.rig, settings.view), configuration,
+         settings.saved);
+  }
+  return settings;
+}
+
+}  // namespace svchain

@@ -1,0 +1,65 @@
+#include "links/geometric_alignment/features_alignment.h"
+
+#include <algorithm>
+
+#include "algorithms/geometry/angles.h"
+#include "algorithms/registration/alignment.h"
+
+namespace svchain {
+
+namespace {
+
+/// What a rig measured by tape is good to (scene/nominal_rig.h): evenly up to 3 degrees and, on a car, 5 cm.
+constexpr double kEvenToSigma = 0.58;
+constexpr double kNominalDeg = 3;
+constexpr double kNominalM = 0.05;
+constexpr double kCarLengthM = 4.8;
+/// The lens is known and the camera rigid, so the matrices may hardly be anything but poses.
+constexpr double kStretch = 1e-4;
+
+registration::AlignmentTask task_of(const geometry::Rig& nominal, const std::array<cv::Mat, 4>& pictures) {
+  const double scale = std::min(1.0, nominal.vehicle.length_m / kCarLengthM);
+  registration::AlignmentTask task;
+  task.frames = pictures;
+  task.vehicle = nominal.vehicle;
+  task.view.metres_per_px = geometry::default_metres_per_px(nominal.vehicle, task.view.size_px);
+  task.start = {kEvenToSigma * geometry::radians(kNominalDeg), kEvenToSigma * scale * kNominalM, kStretch};
+  for (size_t i = 0; i < task.cameras.size(); ++i) {
+    const geometry::Camera& camera = nominal.cameras[i];
+    task.cameras[i] = {camera.lens, camera.image_size_px,
+                       geometry::ray_from_ground(camera.vehicle_from_camera)};
+  }
+  return task;
+}
+
+nlohmann::json accuracy_json(const registration::Alignment& found, double metres_per_px, bool with_times) {
+  nlohmann::json json = {{"metres_per_px", metres_per_px}};
+  for (const auto& overlap : found.overlaps) {
+    json["overlaps"][geometry::kCameraNames[overlap.a] + "-" + geometry::kCameraNames[overlap.b]] = {
+        {"matches", overlap.matches.size()},
+        {"inliers", overlap.inliers()},
+        {"rms_px", overlap.residual_rms_px()},
+        {"held_out_rms_px", overlap.held_out_rms_px()}};
+  }
+  if (!with_times) return json;
+  for (const auto& stage : found.times) json["stages_ms"][stage.name] = stage.ms;
+  return json;
+}
+
+}  // namespace
+
+GroundAlignment align_by_features(const geometry::Rig& nominal, const std::array<cv::Mat, 4>& pictures,
+                                  bool with_times) {
+  GroundAlignment aligned{nominal, {}, {}, {}};
+  const registration::AlignmentTask task = task_of(nominal, pictures);
+  const auto found = registration::align(task);
+  if (!found) {
+    for (const Fault& fault : found.error()) aligned.reasons.push_back(fault.file + ": " + fault.message);
+    return aligned;
+  }
+  aligned.rays = found->ray_from_ground;
+  aligned.accuracy = accuracy_json(*found, task.view.metres_per_px, with_times);
+  return aligned;
+}
+
+}  // namespace svchain
