@@ -47,6 +47,27 @@ void start_from_posed_charts(const geometry::Camera& camera, size_t index,
     named.estimate.cameras[index].vehicle_from_camera = agreed->vehicle_from_camera;
 }
 
+size_t corners_of(const std::vector<Fragment>& fragments) {
+  size_t count = 0;
+  for (const auto& fragment : fragments) count += fragment.corners.size();
+  return count;
+}
+
+/// Far off, a pose that is degrees wrong stretches squares beyond recognition; one that near squares have set
+/// right does not.
+std::vector<Fragment> found_twice(geometry::Camera camera, const cv::Mat& grey,
+                                  const CalibrationInput& input) {
+  constexpr double kMuchDeg = 0.7;
+  const auto tolerance = input.tolerance.value_or(tape_tolerance(input.nominal.vehicle));
+  const Levelled first =
+      level_camera(camera, pose_prior(camera, tolerance), find_fragments(camera, grey, input.charts));
+  const double turn = first.vehicle_from_camera.rotation.angularDistance(camera.vehicle_from_camera.rotation);
+  if (turn < geometry::radians(kMuchDeg)) return first.fragments;
+  camera.vehicle_from_camera = first.vehicle_from_camera;
+  auto second = find_fragments(camera, grey, input.charts);
+  return corners_of(second) > corners_of(first.fragments) ? second : first.fragments;
+}
+
 }  // namespace
 
 std::vector<Fragment> fragments_of(size_t camera, const cv::Mat& grey, const CalibrationInput& input,
@@ -58,7 +79,7 @@ std::vector<Fragment> fragments_of(size_t camera, const cv::Mat& grey, const Cal
     if (fragment.corners.size() >= kLeastCorners) clicked.push_back(std::move(fragment));
   }
   if (!clicked.empty() || grey.empty()) return clicked;
-  return find_fragments(input.nominal.cameras[camera], grey, input.charts);
+  return found_twice(input.nominal.cameras[camera], grey, input);
 }
 
 NamedCorners name_corners(const CalibrationInput& input, std::vector<std::vector<Fragment>> fragments,

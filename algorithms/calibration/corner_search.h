@@ -15,7 +15,9 @@ struct NamedCorners {
   std::vector<int> unexplained;     // by camera: pieces that do not lie on the ground as squares
 };
 
-/// What a camera's picture shows of the charts; where somebody has pointed at its corners, those.
+/// What a camera's picture shows of the charts, laid on the ground by the camera's pose and, where what is
+/// found sets that right by much, once more by the better one; where somebody has pointed at its corners,
+/// those.
 std::vector<Fragment> fragments_of(size_t camera, const cv::Mat& grey, const CalibrationInput& input,
                                    const std::vector<ChartPattern>& patterns);
 
