@@ -6,7 +6,7 @@ set -eu
 packages="
   build-essential cmake ninja-build ccache
   libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libopencv-videoio-dev libopencv-highgui-dev
-  libopencv-contrib-dev
+  libopencv-calib3d-dev libopencv-contrib-dev
   libeigen3-dev libboost-dev libspdlog-dev libexpected-dev nlohmann-json3-dev libcli11-dev libssl-dev libyaml-cpp-dev
   catch2 libbenchmark-dev
 "

@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 
 install(TARGETS svchain RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY usecases DESTINATION ${CMAKE_INSTALL_DATADIR}/svchain FILES_MATCHING
-  PATTERN "*.json" PATTERN "svchain" EXCLUDE)
+  PATTERN "*.json" PATTERN "svchain*" EXCLUDE)
 install(DIRECTORY configs DESTINATION ${CMAKE_INSTALL_DATADIR}/svchain)
 
 install(TARGETS svchain_ipc svchain_json svchain_framework EXPORT svchain ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})

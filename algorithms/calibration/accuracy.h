@@ -16,7 +16,7 @@ struct AcceptanceLimits {
   double most_ground_rms_cm = 5;
   double most_overlap_rms_cm = 5;
   double most_turn_from_nominal = 4;   // in the nominal poses' tolerance
-  double most_shift_from_nominal = 6;  // likewise
+  double most_shift_from_nominal = 4;  // likewise
   double most_lens_change_px = 12;
 };
 

@@ -17,6 +17,7 @@ using geometry::Camera;
 constexpr double kLensFitsPx = 0.15;  // corners that scatter more are worth a better lens
 constexpr double kWorthALens = 0.8;   // of the scatter with the lens as it was given
 constexpr double kLensPriorPx = 3;
+constexpr double kMuchForALensPx = 3;
 
 class Stages {
  public:
@@ -91,10 +92,10 @@ class Run {
       }
       return any;
     };
-    if (!free_lenses([&](size_t c) { return kept.rms_px[c] > kLensFitsPx; })) return;
+    if (!free_lenses([&](size_t c) { return kept.scatter_px[c] > kLensFitsPx; })) return;
     refit();
     const FittedEstimate freed = fitted_;
-    free_lenses([&](size_t c) { return freed.rms_px[c] < kWorthALens * kept.rms_px[c]; });
+    free_lenses([&](size_t c) { return freed.scatter_px[c] < kWorthALens * kept.scatter_px[c]; });
     refit();
   }
 
@@ -125,8 +126,12 @@ class Run {
 
   /// Where something is wrong, what it may be.
   void explain(Calibration& made) const {
+    for (auto& reason : missing_views(made, named_)) made.reasons.push_back(std::move(reason));
+    if (made.accepted()) return;
     for (size_t c = 0; c < cameras().size(); ++c) {
       auto& reasons = made.cameras[c].reasons;
+      if (made.cameras[c].lens_change_px > kMuchForALensPx)
+        reasons.push_back("its lens had to change much to fit as well as this: another lens?");
       if (reasons.empty()) continue;
       if (named_.contradictions[c] > 0)
         reasons.push_back(std::to_string(named_.contradictions[c]) +
@@ -138,8 +143,7 @@ class Run {
         reasons.push_back(
             "nothing like the charts is found: another lens, another pose, or another picture?");
     }
-    for (auto& reason : missing_views(made, named_)) made.reasons.push_back(std::move(reason));
-    if (made.accepted() || input_.pictures.empty()) return;
+    if (input_.pictures.empty()) return;
     for (auto& reason : mistaken_pictures(input_, greys_, patterns_))
       made.reasons.push_back(std::move(reason));
   }

@@ -70,8 +70,9 @@ double clockwise_from_left(const Claim& claim) {
 
 class Assignment {
  public:
-  Assignment(const std::vector<Levelled>& cameras, const std::vector<ChartPattern>& patterns, double reach_m)
-      : cameras_(cameras), patterns_(patterns), reach_m_(reach_m) {
+  Assignment(const std::vector<Levelled>& cameras, const std::vector<ChartPattern>& patterns,
+             const PoseSigma& sigma, double reach_m)
+      : cameras_(cameras), patterns_(patterns), sigma_(sigma), reach_m_(reach_m) {
     made_.named.resize(cameras.size());
     made_.contradictions.assign(cameras.size(), 0);
     for (const auto& pattern : patterns) made_.vehicle_from_chart.push_back(pattern.chart.vehicle_from_chart);
@@ -80,10 +81,11 @@ class Assignment {
   ChartAssignment make() {
     std::vector<std::vector<Claim>> unposed;
     for (size_t c = 0; c < cameras_.size(); ++c) {
+      const Pose2 motion = motion_of(c);
       for (size_t f = 0; f < cameras_[c].fragments.size(); ++f) {
         auto all = claims(c, f);
         if (all.empty()) continue;
-        if (const Claim* posed = nearest_posed(all))
+        if (const Claim* posed = nearest_posed(all, motion))
           name(*posed);
         else if (!patterns_[all.front().identity.chart].chart.vehicle_from_chart)
           unposed.push_back(std::move(all));
@@ -124,8 +126,63 @@ class Assignment {
     return made;
   }
 
-  /// The claim on a posed chart that lies nearest to its place.
-  const Claim* nearest_posed(const std::vector<Claim>& all) const {
+  /// What is left of a camera's pose, a common motion on the ground, by its pieces of posed charts: each of a
+  /// piece's identities would mean one, and right is the one that asks least of the camera and fits the most
+  /// pieces.
+  Pose2 motion_of(size_t camera) const {
+    std::vector<std::vector<Claim>> pieces;
+    for (size_t f = 0; f < cameras_[camera].fragments.size(); ++f) pieces.push_back(claims(camera, f));
+    Pose2 best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& all : pieces) {
+      for (const auto& claim : all) {
+        const auto motion = motion_by(claim);
+        if (!motion) continue;
+        const double cost = cost_of(*motion, camera, pieces);
+        if (cost >= least) continue;
+        least = cost;
+        best = *motion;
+      }
+    }
+    return best;
+  }
+
+  std::optional<Pose2> motion_by(const Claim& claim) const {
+    const auto& pattern = patterns_[claim.identity.chart];
+    if (!pattern.chart.vehicle_from_chart) return std::nullopt;
+    std::vector<Vector2d> from, to;
+    for (const int corner : claim.identity.corner) {
+      if (corner < 0) continue;
+      const Vector2d place_m = pattern.corners[static_cast<size_t>(corner)].place_m;
+      from.push_back(claim.vehicle_from_chart * place_m);
+      to.push_back(*pattern.chart.vehicle_from_chart * place_m);
+    }
+    return pose_between(from, to);
+  }
+
+  /// In squares of sigmas of the pose; a piece that fits not at all costs as much as two of them.
+  double cost_of(const Pose2& motion, size_t camera, const std::vector<std::vector<Claim>>& pieces) const {
+    constexpr double kMisfit = 4;
+    const Vector2d place = cameras_[camera].vehicle_from_camera.translation.head<2>();
+    const double turned = std::remainder(motion.yaw_rad, 2 * M_PI) / sigma_.rad;
+    const double shifted = (motion * place - place).norm() / sigma_.m;
+    double cost = turned * turned + shifted * shifted;
+    for (const auto& all : pieces) {
+      double nearest_m = sigma_.m;
+      for (const auto& claim : all) {
+        const auto& pattern = patterns_[claim.identity.chart];
+        if (!pattern.chart.vehicle_from_chart) continue;
+        nearest_m = std::min(nearest_m, (middle(claim.identity, pattern, *pattern.chart.vehicle_from_chart) -
+                                         motion * middle(claim.identity, pattern, claim.vehicle_from_chart))
+                                            .norm());
+      }
+      cost += kMisfit * nearest_m / sigma_.m;
+    }
+    return cost;
+  }
+
+  /// The claim on a posed chart that lies nearest to its place, all moved by the motion.
+  const Claim* nearest_posed(const std::vector<Claim>& all, const Pose2& motion) const {
     const Claim* best = nullptr;
     double best_m = reach_m_;
     for (const auto& claim : all) {
@@ -133,9 +190,9 @@ class Assignment {
       if (!pattern.chart.vehicle_from_chart) continue;
       const Pose2& pose = *pattern.chart.vehicle_from_chart;
       if (turn(pose, claim.vehicle_from_chart) > kMostTurnRad) continue;
-      const double away_m =
-          (middle(claim.identity, pattern, pose) - middle(claim.identity, pattern, claim.vehicle_from_chart))
-              .norm();
+      const double away_m = (middle(claim.identity, pattern, pose) -
+                             motion * middle(claim.identity, pattern, claim.vehicle_from_chart))
+                                .norm();
       if (away_m >= best_m) continue;
       best = &claim;
       best_m = away_m;
@@ -250,6 +307,7 @@ class Assignment {
 
   const std::vector<Levelled>& cameras_;
   const std::vector<ChartPattern>& patterns_;
+  PoseSigma sigma_;
   double reach_m_;
   ChartAssignment made_;
 };
@@ -257,8 +315,8 @@ class Assignment {
 }  // namespace
 
 ChartAssignment assign_charts(const std::vector<Levelled>& cameras, const std::vector<ChartPattern>& patterns,
-                              double reach_m) {
-  return Assignment(cameras, patterns, reach_m).make();
+                              const PoseSigma& sigma, double reach_m) {
+  return Assignment(cameras, patterns, sigma, reach_m).make();
 }
 
 }  // namespace svchain::calibration

@@ -25,8 +25,14 @@ struct ChartAssignment {
   std::vector<int> contradictions = {};
 };
 
+/// How well a camera's pose was known before it was levelled.
+struct PoseSigma {
+  double rad = 0;
+  double m = 0;
+};
+
 /// `reach_m`: how far a chart may seem to be from where it is.
 ChartAssignment assign_charts(const std::vector<Levelled>& cameras, const std::vector<ChartPattern>& patterns,
-                              double reach_m);
+                              const PoseSigma& sigma, double reach_m);
 
 }  // namespace svchain::calibration

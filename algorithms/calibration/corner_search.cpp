@@ -12,6 +12,7 @@ namespace svchain::calibration {
 namespace {
 
 using Eigen::Vector2d;
+using geometry::Rigid3;
 
 constexpr double kChartReach =
     20;  // times the poses' uncertainty: how far a chart may seem to be from its place
@@ -53,19 +54,58 @@ size_t corners_of(const std::vector<Fragment>& fragments) {
   return count;
 }
 
+/// Pieces found by one pose of the camera, and the pose they make of it.
+struct Search {
+  std::vector<Fragment> fragments;
+  Levelled levelled;
+
+  size_t corners() const { return corners_of(levelled.fragments); }
+};
+
+Search search_from(geometry::Camera camera, const Rigid3& pose, const PosePrior& prior, const cv::Mat& grey,
+                   const std::vector<Chart>& charts) {
+  camera.vehicle_from_camera = pose;
+  Search search;
+  search.fragments = find_fragments(camera, grey, charts);
+  search.levelled = level_camera(camera, prior, search.fragments);
+  return search;
+}
+
+/// Where next to nothing is found, the nominal pose may have turned it out of the lens's field: the best of
+/// poses turned about the vehicle's axes.
+Search search_around(const geometry::Camera& camera, const PosePrior& prior, const cv::Mat& grey,
+                     const std::vector<Chart>& charts) {
+  Search best;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const int sign : {-1, 1}) {
+      const Eigen::Vector3d turn_rad = sign * prior.sigma_rad * Eigen::Vector3d::Unit(axis);
+      const Rigid3 turned =
+          geometry::turned_and_shifted(camera.vehicle_from_camera, turn_rad, Eigen::Vector3d::Zero());
+      Search search = search_from(camera, turned, prior, grey, charts);
+      if (search.corners() > best.corners()) best = std::move(search);
+    }
+  }
+  return best;
+}
+
 /// Far off, a pose that is degrees wrong stretches squares beyond recognition; one that near squares have set
 /// right does not.
-std::vector<Fragment> found_twice(geometry::Camera camera, const cv::Mat& grey,
-                                  const CalibrationInput& input) {
+std::vector<Fragment> search_twice(const geometry::Camera& camera, const cv::Mat& grey,
+                                   const CalibrationInput& input) {
   constexpr double kMuchDeg = 0.7;
+  constexpr size_t kNextToNothing = 8;
   const auto tolerance = input.tolerance.value_or(tape_tolerance(input.nominal.vehicle));
-  const Levelled first =
-      level_camera(camera, pose_prior(camera, tolerance), find_fragments(camera, grey, input.charts));
-  const double turn = first.vehicle_from_camera.rotation.angularDistance(camera.vehicle_from_camera.rotation);
-  if (turn < geometry::radians(kMuchDeg)) return first.fragments;
-  camera.vehicle_from_camera = first.vehicle_from_camera;
-  auto second = find_fragments(camera, grey, input.charts);
-  return corners_of(second) > corners_of(first.fragments) ? second : first.fragments;
+  const PosePrior prior = pose_prior(camera, tolerance);
+  Search first = search_from(camera, camera.vehicle_from_camera, prior, grey, input.charts);
+  if (first.corners() < kNextToNothing) {
+    Search around = search_around(camera, prior, grey, input.charts);
+    if (around.corners() > first.corners()) first = std::move(around);
+  }
+  const Rigid3& levelled = first.levelled.vehicle_from_camera;
+  if (levelled.rotation.angularDistance(camera.vehicle_from_camera.rotation) < geometry::radians(kMuchDeg))
+    return first.fragments;
+  Search second = search_from(camera, levelled, prior, grey, input.charts);
+  return second.corners() > first.corners() ? second.fragments : first.fragments;
 }
 
 }  // namespace
@@ -79,7 +119,7 @@ std::vector<Fragment> fragments_of(size_t camera, const cv::Mat& grey, const Cal
     if (fragment.corners.size() >= kLeastCorners) clicked.push_back(std::move(fragment));
   }
   if (!clicked.empty() || grey.empty()) return clicked;
-  return found_twice(input.nominal.cameras[camera], grey, input);
+  return search_twice(input.nominal.cameras[camera], grey, input);
 }
 
 NamedCorners name_corners(const CalibrationInput& input, std::vector<std::vector<Fragment>> fragments,
@@ -98,7 +138,8 @@ NamedCorners name_corners(const CalibrationInput& input, std::vector<std::vector
   }
   const double reach_m =
       std::min(kChartReach * tolerance.position_m, kMostReachM * scale_of(nominal.vehicle));
-  const ChartAssignment assigned = assign_charts(levelled, patterns, reach_m);
+  const ChartAssignment assigned = assign_charts(
+      levelled, patterns, {geometry::radians(tolerance.rotation_deg), tolerance.position_m}, reach_m);
   named.contradictions = assigned.contradictions;
   for (size_t c = 0; c < assigned.named.size(); ++c) {
     for (const auto& corner : assigned.named[c])

@@ -80,13 +80,17 @@ std::vector<bool> tied_cameras(const NamedCorners& named, const std::vector<std:
 int agreeing_corners(const CalibrationInput& input, const std::vector<std::vector<Fragment>>& fragments,
                      const std::vector<ChartPattern>& patterns) {
   NamedCorners named = name_corners(input, fragments, patterns);
-  fit(named.estimate, named.corners, patterns);
+  constexpr double kAgreePx = 3;
+  const FittedEstimate fitted = fit(named.estimate, named.corners, patterns);
   int agreeing = 0;
   for (const auto& corner : named.corners) {
     const bool shared = std::any_of(named.corners.begin(), named.corners.end(), [&](const SeenCorner& other) {
       return other.chart == corner.chart && other.camera != corner.camera;
     });
-    agreeing += !corner.rejected && (shared || named.estimate.charts[corner.chart].fixed);
+    const auto off = residual_px(sighting_of(corner, patterns), fitted.solution.cameras[corner.camera],
+                                 fitted.solution.charts[corner.chart]);
+    const bool near = off && off->norm() < kAgreePx;
+    agreeing += near && (shared || named.estimate.charts[corner.chart].fixed);
   }
   return agreeing;
 }

@@ -16,6 +16,9 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr size_t kLeastCorners = 4;
+// Beside a large piece of lattice small ones, which are often false, can wait for the second look.
+constexpr size_t kSureCorners = 6;
+constexpr size_t kLargeCorners = 8;
 
 std::optional<Vector2d> pixel_of(const geometry::Camera& camera, const Vector2d& ground_m) {
   return camera.see(Vector3d(ground_m.x(), ground_m.y(), 0));
@@ -59,6 +62,10 @@ Fragment fragment_of(const Lattice& lattice, double side_m, const geometry::Came
     fragment.corners.push_back(corner);
   }
   return fragment;
+}
+
+bool is_lattice(const Fragment& fragment) {
+  return !fragment.corners.empty() && ChartCorner{{}, fragment.corners.front().dark, 0}.is_saddle();
 }
 
 /// The corner of a square, dark inside, counter-clockwise from the one at (-, -).
@@ -175,7 +182,13 @@ std::vector<Fragment> find_fragments(const geometry::Camera& camera, const cv::M
   for (const double side_m : patterns.tag_sides_m) {
     for (auto& fragment : find_tag_fragments(side_m, camera, grey)) found.push_back(std::move(fragment));
   }
-  std::erase_if(found, [](const Fragment& f) { return f.corners.size() < kLeastCorners; });
+  const bool some_are_large = std::any_of(found.begin(), found.end(), [](const Fragment& f) {
+    return !f.tag_id && f.corners.size() >= kLargeCorners;
+  });
+  std::erase_if(found, [&](const Fragment& f) {
+    const size_t least = some_are_large && is_lattice(f) ? kSureCorners : kLeastCorners;
+    return f.corners.size() < least;
+  });
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.corners.size() > b.corners.size(); });
   return found;

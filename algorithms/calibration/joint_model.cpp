@@ -88,8 +88,11 @@ VectorXd JointModel::residuals(const State& state) const {
 
 MatrixXd JointModel::jacobian(const State& state) const {
   MatrixXd j = MatrixXd::Zero(rows_, unknowns_);
-  std::vector<geometry::LensVariations> lenses;
-  for (const auto& camera : state.cameras) lenses.emplace_back(*camera.lens);
+  FreeLenses lenses;
+  for (const auto& camera : state.cameras) {
+    lenses.emplace_back();
+    if (camera.lens_prior) lenses.back().emplace(*camera.lens);
+  }
   Index row = 0;
   for (size_t s = 0; s < whitening_.size(); ++s, row += 2) {
     auto rows = j.middleRows<2>(row);
@@ -105,7 +108,7 @@ MatrixXd JointModel::jacobian(const State& state) const {
     }
     if (const auto& prior = lens_priors_[c]) {
       j.block(row, camera_at_[c] + kPoseUnknowns, prior->rows(), lens_unknowns(c)) =
-          prior->jacobian(lenses[c], lens_unknowns(c));
+          prior->jacobian(*lenses[c], lens_unknowns(c));
       row += prior->rows();
     }
   }
@@ -114,8 +117,8 @@ MatrixXd JointModel::jacobian(const State& state) const {
 
 /// With v from the camera to the point and R its rotation, the ray is R' v: a turn w of the camera about the
 /// vehicle's axes changes it by R' (v x w), a shift t by -R' t.
-void JointModel::add_sighting(const State& state, const std::vector<geometry::LensVariations>& lenses,
-                              const CornerSighting& sighting, Eigen::Ref<MatrixXd> rows) const {
+void JointModel::add_sighting(const State& state, const FreeLenses& lenses, const CornerSighting& sighting,
+                              Eigen::Ref<MatrixXd> rows) const {
   const UnknownCamera& camera = state.cameras[sighting.camera];
   const UnknownChart& chart = state.charts[sighting.chart];
   const Vector3d point = point_of(sighting, chart);
@@ -129,8 +132,8 @@ void JointModel::add_sighting(const State& state, const std::vector<geometry::Le
   const Index at = camera_at_[sighting.camera];
   rows.middleCols<3>(at) = by_point * cross_matrix(from_camera);
   rows.middleCols<3>(at + 3) = -by_point;
-  if (camera.lens_prior) {
-    if (const auto by_lens = lenses[sighting.camera].by_parameters(ray))
+  if (lenses[sighting.camera]) {
+    if (const auto by_lens = lenses[sighting.camera]->by_parameters(ray))
       rows.middleCols(at + kPoseUnknowns, by_lens->cols()) = *by_lens;
   }
   if (chart.fixed) return;

@@ -30,8 +30,10 @@ class JointModel {
   Eigen::MatrixXd camera_block(const Eigen::MatrixXd& matrix, size_t camera) const;
 
  private:
-  void add_sighting(const State& state, const std::vector<geometry::LensVariations>& lenses,
-                    const CornerSighting& sighting, Eigen::Ref<Eigen::MatrixXd> rows) const;
+  using FreeLenses = std::vector<std::optional<geometry::LensVariations>>;  // those that may change
+
+  void add_sighting(const State& state, const FreeLenses& lenses, const CornerSighting& sighting,
+                    Eigen::Ref<Eigen::MatrixXd> rows) const;
   Eigen::Index lens_unknowns(size_t camera) const;
 
   const JointProblem& problem_;

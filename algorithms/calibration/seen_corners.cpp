@@ -148,8 +148,12 @@ FittedEstimate fit(const Estimate& start, std::vector<SeenCorner>& corners,
     }
     if (settled) break;
   }
-  FittedEstimate fitted{std::move(round.solution), {}};
-  for (size_t c = 0; c < cameras; ++c) fitted.rms_px.push_back(rms_px(c, round, corners));
+  FittedEstimate fitted;
+  for (size_t c = 0; c < cameras; ++c) {
+    fitted.rms_px.push_back(rms_px(c, round, corners));
+    fitted.scatter_px.push_back(fitted.rms_px.back() / std::sqrt(freedom(c, round.solution, corners)));
+  }
+  fitted.solution = std::move(round.solution);
   return fitted;
 }
 

@@ -28,7 +28,8 @@ struct Estimate {
 
 struct FittedEstimate {
   JointSolution solution;
-  std::vector<double> rms_px;  // by camera, of the corners that agree
+  std::vector<double> rms_px;      // by camera, of the corners that agree
+  std::vector<double> scatter_px;  // the same with the fit's own freedom allowed for
 };
 
 CornerSighting sighting_of(const SeenCorner& seen, const std::vector<ChartPattern>& patterns);
