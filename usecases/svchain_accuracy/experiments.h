@@ -15,6 +15,7 @@ Section simulated_rigs(const std::vector<SetResult>& results);
 /// `data` holds the folders of the sets.
 Section real_carpet(const std::filesystem::path& data);
 Section real_garage(const std::filesystem::path& data);
+Section features(const std::filesystem::path& data);
 Section rendered(const std::filesystem::path& data);
 Section stage_times(const std::filesystem::path& data);
 

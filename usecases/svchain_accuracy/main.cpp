@@ -74,6 +74,7 @@ void run(const Options& options) {
                                    rendered(options.data),
                                    real_carpet(options.data),
                                    real_garage(options.data),
+                                   features(options.data),
                                    stage_times(options.data)};
   std::vector<SetResult> results;
   for (const auto& set : simulated_sets(options.sets)) {
