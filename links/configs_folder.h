@@ -3,6 +3,9 @@
 // the folder that it was built from. Any thread.
 
 #include <filesystem>
+#include <string>
+
+#include "algorithms/json/fault.h"
 
 namespace svchain {
 
@@ -10,5 +13,10 @@ namespace svchain {
 std::filesystem::path share_folder();
 /// socs/, rigs/, lenses/, charts/, scenes/.
 std::filesystem::path configs_folder();
+
+/// A file of that name in a folder of configs/, else a file of one's own. The fault's file is `named`; `what`
+/// it is: "scene".
+Result<std::filesystem::path> find_config(const std::string& folder, const std::string& what,
+                                          const std::string& named);
 
 }  // namespace svchain

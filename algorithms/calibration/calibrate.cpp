@@ -42,11 +42,10 @@ class Run {
   Calibration make() {
     Calibration made;
     Stages stages(made);
-    std::vector<std::vector<Fragment>> fragments;
     for (size_t c = 0; c < cameras().size(); ++c)
-      fragments.push_back(fragments_of(c, greys_[c], input_, patterns_));
+      fragments_.push_back(fragments_of(c, greys_[c], input_, patterns_));
     stages.done("corners");
-    named_ = name_corners(input_, std::move(fragments), patterns_);
+    named_ = name_corners(input_, fragments_, patterns_);
     seen_ = named_.corners;
     estimate_ = named_.estimate;
     stages.done("first poses");
@@ -144,7 +143,7 @@ class Run {
             "nothing like the charts is found: another lens, another pose, or another picture?");
     }
     if (input_.pictures.empty()) return;
-    for (auto& reason : mistaken_pictures(input_, greys_, patterns_))
+    for (auto& reason : mistaken_pictures(input_, greys_, fragments_, patterns_))
       made.reasons.push_back(std::move(reason));
   }
 
@@ -185,6 +184,7 @@ class Run {
   const CalibrationInput& input_;
   std::vector<ChartPattern> patterns_;
   std::vector<cv::Mat> greys_;
+  std::vector<std::vector<Fragment>> fragments_;  // by camera
   NamedCorners named_;
   std::vector<SeenCorner> seen_;
   Estimate estimate_;

@@ -9,10 +9,6 @@ namespace {
 
 constexpr double kSamePlace = 1e-3;  // of a side
 
-/// The corners of a square, counter-clockwise from (-x, -y), and the quarter that the square darkens at each.
-constexpr std::array<std::array<double, 2>, 4> kOutwards = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
-constexpr std::array<DarkQuarters, 4> kInside = {0b0001, 0b0010, 0b0100, 0b1000};
-
 std::vector<ChartCorner> checkerboard_corners(const Chart& chart) {
   std::vector<ChartCorner> found;
   for (int j = 1; j < chart.squares[1]; ++j) {
@@ -31,16 +27,17 @@ std::vector<ChartCorner> square_corners(const std::vector<Eigen::Vector2d>& cent
                                         double reach_m) {
   std::vector<ChartCorner> found;
   for (const auto& centre : centres) {
-    for (size_t k = 0; k < kOutwards.size(); ++k) {
-      const Eigen::Vector2d place = centre + side_m / 2 * Eigen::Vector2d(kOutwards[k][0], kOutwards[k][1]);
+    for (size_t k = 0; k < 4; ++k) {
+      ChartCorner corner = square_corner(centre, side_m, k);
+      corner.reach_m = reach_m;
       ChartCorner* same = nullptr;
       for (auto& other : found) {
-        if ((other.place_m - place).norm() < kSamePlace * side_m) same = &other;
+        if ((other.place_m - corner.place_m).norm() < kSamePlace * side_m) same = &other;
       }
       if (same)
-        same->dark |= kInside[k];
+        same->dark |= corner.dark;
       else
-        found.push_back({place, kInside[k], reach_m});
+        found.push_back(corner);
     }
   }
   return found;
@@ -59,6 +56,13 @@ double clear_around(const ChartCorner& corner, const Chart& chart) {
 }
 
 }  // namespace
+
+ChartCorner square_corner(const Eigen::Vector2d& centre_m, double side_m, size_t number) {
+  constexpr std::array<std::array<double, 2>, 4> kOutwards = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+  constexpr std::array<DarkQuarters, 4> kInside = {0b0001, 0b0010, 0b0100, 0b1000};
+  const auto& [x, y] = kOutwards[number];
+  return {centre_m + side_m / 2 * Eigen::Vector2d(x, y), kInside[number], side_m};
+}
 
 std::vector<ChartCorner> corners(const Chart& chart) {
   switch (chart.type) {

@@ -44,6 +44,9 @@ struct ChartCorner {
   bool is_saddle() const { return dark == 0b0101 || dark == 0b1010; }
 };
 
+/// Corner 0 to 3 of a black square, counter-clockwise from (-x, -y), as far as it reaches at most.
+ChartCorner square_corner(const Eigen::Vector2d& centre_m, double side_m, size_t number);
+
 /// Every corner of a chart, in the order in which files and reports count them: a checkerboard's inner
 /// corners along x, then y, from (-x, -y); the corners of squares in the order of `centres_m`, each
 /// counter-clockwise from (-x, -y), where squares touch the common corner once, by its first square; of tags

@@ -124,11 +124,10 @@ std::vector<std::string> missing_views(const Calibration& calibration, const Nam
 }
 
 std::vector<std::string> mistaken_pictures(const CalibrationInput& input, const std::vector<cv::Mat>& greys,
+                                           const std::vector<std::vector<Fragment>>& as_given,
                                            const std::vector<ChartPattern>& patterns) {
   constexpr int kClearly = 8;  // corners
   const auto& cameras = input.nominal.cameras;
-  std::vector<std::vector<Fragment>> as_given;
-  for (size_t c = 0; c < cameras.size(); ++c) as_given.push_back(fragments_of(c, greys[c], input, patterns));
   int best = agreeing_corners(input, as_given, patterns) + kClearly;
   std::vector<std::string> reasons;
   const auto consider = [&](std::vector<std::vector<Fragment>> fragments, const std::string& reason) {

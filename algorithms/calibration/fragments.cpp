@@ -68,13 +68,12 @@ bool is_lattice(const Fragment& fragment) {
   return !fragment.corners.empty() && ChartCorner{{}, fragment.corners.front().dark, 0}.is_saddle();
 }
 
-/// The corner of a square, dark inside, counter-clockwise from the one at (-, -).
-FragmentCorner square_corner(size_t k, double side_m) {
-  constexpr std::array<std::array<double, 2>, 4> kOutwards = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
-  constexpr std::array<DarkQuarters, 4> kInside = {0b0001, 0b0010, 0b0100, 0b1000};
+/// A corner of a single square, on its own plane.
+FragmentCorner single_corner(size_t number, double side_m) {
+  const ChartCorner known = square_corner({0, 0}, side_m, number);
   FragmentCorner corner;
-  corner.place_m = side_m / 2 * Vector2d(kOutwards[k][0], kOutwards[k][1]);
-  corner.dark = kInside[k];
+  corner.place_m = known.place_m;
+  corner.dark = known.dark;
   return corner;
 }
 
@@ -84,7 +83,7 @@ Fragment fragment_of(const GroundSquare& square, double side_m, double reach_m,
   const Vector2d y = (square[3] - square[0] + square[2] - square[1]) / 2 * (reach_m / side_m);
   Fragment fragment;
   for (size_t k = 0; k < 4; ++k) {
-    FragmentCorner corner = square_corner(k, side_m);
+    FragmentCorner corner = single_corner(k, side_m);
     const auto fitted = fit_at(camera, grey, square[k], x, y, corner.dark);
     if (!fitted) continue;
     corner.pixel = fitted->pixel;
@@ -120,7 +119,7 @@ std::vector<Fragment> find_tag_fragments(double side_m, const geometry::Camera& 
     Fragment fragment;
     fragment.tag_id = tag.id;
     for (size_t k = 0; k < 4; ++k) {
-      FragmentCorner corner = square_corner(k, side_m);
+      FragmentCorner corner = single_corner(k, side_m);
       const auto same = std::find_if(fitted.corners.begin(), fitted.corners.end(),
                                      [&](const auto& other) { return other.dark == corner.dark; });
       if (same != fitted.corners.end()) {
@@ -200,7 +199,7 @@ std::vector<Fragment> find_patterns(const geometry::Camera& camera, const cv::Ma
   std::vector<Fragment> found;
   const auto add_square = [&](double side_m, std::optional<int> tag_id) {
     Fragment fragment;
-    for (size_t k = 0; k < 4; ++k) fragment.corners.push_back(square_corner(k, side_m));
+    for (size_t k = 0; k < 4; ++k) fragment.corners.push_back(single_corner(k, side_m));
     fragment.tag_id = tag_id;
     found.push_back(std::move(fragment));
   };

@@ -26,23 +26,6 @@ ordered_json curve(const Response& response, int channel) {
 
 }  // namespace
 
-std::string charts_text(const std::vector<Checkerboard>& charts) {
-  std::string text = "{\"charts\": [";
-  std::string separator = "\n  ";
-  for (const auto& board : charts) {
-    const Pose2& pose = board.world_from_chart;
-    const ordered_json chart = {
-        {"name", board.name},
-        {"type", "checkerboard"},
-        {"squares", board.squares},
-        {"square_m", board.square_m},
-        {"pose",
-         {{"x_m", pose.x_m}, {"y_m", pose.y_m}, {"yaw_deg", rounded(geometry::degrees(pose.yaw_rad), 1e9)}}}};
-    text += std::exchange(separator, ",\n  ") + chart.dump();
-  }
-  return text + "]}\n";
-}
-
 std::string responses_text(const std::array<Response, 4>& responses) {
   ordered_json root;
   for (size_t i = 0; i < responses.size(); ++i) {

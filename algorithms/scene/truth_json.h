@@ -8,10 +8,6 @@
 
 namespace svchain::scene {
 
-/// The scene's checkerboards as a charts file (schema: configs/schemas/charts.schema.json), where they lie in
-/// the vehicle's frame at time 0.
-std::string charts_text(const std::vector<Checkerboard>& charts);
-
 /// {"front": {"gain_bgr", "gamma", "falloff", "noise_sigma", "curve": {"b", "g", "r"}}, "right", ...}: each
 /// curve has what respond() makes of the light 0..255, without falloff and noise, to four decimals.
 std::string responses_text(const std::array<Response, 4>& responses);

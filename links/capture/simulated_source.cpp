@@ -1,8 +1,6 @@
 #include "links/capture/simulated_source.h"
 
-#include <algorithm>
 #include <filesystem>
-#include <vector>
 
 #include "algorithms/scene/motion.h"
 #include "algorithms/scene/renderer.h"
@@ -62,28 +60,12 @@ class SimulatedSource final : public FrameSource {
   std::array<std::unique_ptr<RenderAhead>, kCameras> ahead_;  // in real time only
 };
 
-std::vector<std::string> scene_names() {
-  std::vector<std::string> names;
-  std::error_code failed;
-  for (fs::directory_iterator at(configs_folder() / "scenes", failed), end; !failed && at != end;
-       at.increment(failed)) {
-    if (at->path().extension() == ".json") names.push_back(at->path().stem().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 }  // namespace
 
 Result<fs::path> find_scene(const std::string& scene) {
-  std::error_code ignored;
-  const fs::path shipped = configs_folder() / "scenes" / (scene + ".json");
-  if (!scene.empty() && fs::is_regular_file(shipped, ignored)) return shipped;
-  if (fs::is_regular_file(scene, ignored)) return fs::path(scene);
-  const std::vector<std::string> names = scene_names();
-  return fail("simulated:" + scene,
-              "no such scene or file" + did_you_mean(scene, names) + "; there is " +
-                  (names.empty() ? "none in " + (configs_folder() / "scenes").string() : spoken_list(names)));
+  auto found = find_config("scenes", "scene", scene);
+  if (!found) found.error().front().file = "simulated:" + scene;
+  return found;
 }
 
 Result<std::unique_ptr<FrameSource>> open_simulated(const std::string& scene, const SourceRequest& request) {

@@ -1,55 +1,28 @@
 #include "links/geometric_alignment/charts_alignment.h"
 
-#include <algorithm>
-
 #include "algorithms/calibration/calibration.h"
 #include "algorithms/calibration/calibration_json.h"
 #include "algorithms/calibration/content_start.h"
-#include "algorithms/scene/truth_json.h"
+#include "algorithms/calibration/scene_charts.h"
 #include "links/configs_folder.h"
 #include "links/surround_settings.h"
 
 namespace svchain {
 
-namespace fs = std::filesystem;
-
 namespace {
 
-std::vector<std::string> chart_names() {
-  std::vector<std::string> names;
-  std::error_code failed;
-  for (fs::directory_iterator at(configs_folder() / "charts", failed), end; !failed && at != end;
-       at.increment(failed)) {
-    if (at->path().extension() == ".json") names.push_back(at->path().stem().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-Result<fs::path> find_charts(const std::string& named) {
-  std::error_code ignored;
-  const fs::path shipped = configs_folder() / "charts" / (named + ".json");
-  if (fs::is_regular_file(shipped, ignored)) return shipped;
-  if (fs::is_regular_file(named, ignored)) return fs::path(named);
-  const std::vector<std::string> names = chart_names();
-  return fail(named,
-              "no such charts or file" + did_you_mean(named, names) + "; there is " +
-                  (names.empty() ? "none in " + (configs_folder() / "charts").string() : spoken_list(names)));
-}
-
 Result<std::vector<calibration::Chart>> named_charts(const std::string& named) {
-  const auto file = find_charts(named);
+  const auto file = find_config("charts", "charts", named);
   if (!file) return tl::unexpected(file.error());
   return calibration::read_charts(*file);
 }
 
-/// As `svchain simulate` would write them; none where frames come from elsewhere.
+/// None where frames come from elsewhere.
 Result<std::vector<calibration::Chart>> simulated_charts(const Configuration& configuration) {
   const auto scene = simulated_scene(configuration);
   if (!scene) return tl::unexpected(scene.error());
-  if (!*scene || (*scene)->charts.empty()) return {};
-  return calibration::parse_charts(scene::charts_text((*scene)->charts),
-                                   configuration.setting("input").text("value"));
+  if (!*scene) return {};
+  return calibration::charts_of(**scene);
 }
 
 nlohmann::json accuracy_json(const calibration::Calibration& found, bool with_times) {

@@ -1,7 +1,6 @@
 #include "links/geometric_alignment/features_alignment.h"
 
-#include <algorithm>
-
+#include "algorithms/calibration/calibration.h"
 #include "algorithms/geometry/angles.h"
 #include "algorithms/registration/alignment.h"
 
@@ -9,21 +8,19 @@ namespace svchain {
 
 namespace {
 
-/// What a rig measured by tape is good to (scene/nominal_rig.h): evenly up to 3 degrees and, on a car, 5 cm.
+/// The sigma of what may be off evenly up to 1.
 constexpr double kEvenToSigma = 0.58;
-constexpr double kNominalDeg = 3;
-constexpr double kNominalM = 0.05;
-constexpr double kCarLengthM = 4.8;
 /// The lens is known and the camera rigid, so the matrices may hardly be anything but poses.
 constexpr double kStretch = 1e-4;
 
 registration::AlignmentTask task_of(const geometry::Rig& nominal, const std::array<cv::Mat, 4>& pictures) {
-  const double scale = std::min(1.0, nominal.vehicle.length_m / kCarLengthM);
+  const auto tape = calibration::tape_tolerance(nominal.vehicle);
   registration::AlignmentTask task;
   task.frames = pictures;
   task.vehicle = nominal.vehicle;
   task.view.metres_per_px = geometry::default_metres_per_px(nominal.vehicle, task.view.size_px);
-  task.start = {kEvenToSigma * geometry::radians(kNominalDeg), kEvenToSigma * scale * kNominalM, kStretch};
+  task.start = {kEvenToSigma * geometry::radians(tape.rotation_deg), kEvenToSigma * tape.position_m,
+                kStretch};
   for (size_t i = 0; i < task.cameras.size(); ++i) {
     const geometry::Camera& camera = nominal.cameras[i];
     task.cameras[i] = {camera.lens, camera.image_size_px,

@@ -1,5 +1,6 @@
 #include "usecases/svchain_accuracy/agreement.h"
 
+#include "algorithms/calibration/scene_charts.h"
 #include "tests/catch.h"
 #include "usecases/svchain_accuracy/trial.h"
 
@@ -15,7 +16,7 @@ calibration::Calibration true_calibration() {
   const scene::Scene scene = trial_scene("car", "kannala_brandt", 7);
   calibration::Calibration made;
   made.rig = scene.rig;
-  made.charts = charts_of(scene);
+  made.charts = calibration::charts_of(scene);
   for (size_t c = 0; c < 4; ++c) {
     for (size_t k = 0; k < made.charts.size(); ++k) {
       const auto places = calibration::corners(made.charts[k]);

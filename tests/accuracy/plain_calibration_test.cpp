@@ -1,5 +1,6 @@
 #include "usecases/svchain_accuracy/plain_calibration.h"
 
+#include "algorithms/calibration/scene_charts.h"
 #include "algorithms/scene/nominal_rig.h"
 #include "tests/catch.h"
 #include "usecases/svchain_accuracy/pose_error.h"
@@ -20,7 +21,7 @@ std::vector<std::vector<PlainCorner>> exact_corners() {
   std::vector<std::vector<PlainCorner>> all;
   for (const auto& camera : car().rig.cameras) {
     all.emplace_back();
-    for (const auto& chart : charts_of(car())) {
+    for (const auto& chart : calibration::charts_of(car())) {
       for (const auto& corner : calibration::corners(chart)) {
         const Eigen::Vector2d ground = chart.vehicle_from_chart.value() * corner.place_m;
         if (const auto pixel = camera.see({ground.x(), ground.y(), 0}))

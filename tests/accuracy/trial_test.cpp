@@ -1,5 +1,6 @@
 #include "usecases/svchain_accuracy/trial.h"
 
+#include "algorithms/calibration/scene_charts.h"
 #include "tests/catch.h"
 
 using namespace svchain;
@@ -10,7 +11,7 @@ namespace {
 /// How many corners of the charts a camera sees.
 int corners_seen(const scene::Scene& scene, size_t camera) {
   int seen = 0;
-  for (const auto& chart : charts_of(scene)) {
+  for (const auto& chart : calibration::charts_of(scene)) {
     for (const auto& corner : calibration::corners(chart)) {
       const Eigen::Vector2d ground = chart.vehicle_from_chart.value() * corner.place_m;
       if (scene.rig.cameras[camera].see({ground.x(), ground.y(), 0})) ++seen;
@@ -41,7 +42,7 @@ TEST_CASE("the same seed draws the same trial, another seed another") {
 }
 
 TEST_CASE("charts without places keep everything else") {
-  const auto posed = charts_of(trial_scene("toy", "kannala_brandt", 1));
+  const auto posed = calibration::charts_of(trial_scene("toy", "kannala_brandt", 1));
   const auto free = unposed(posed);
   REQUIRE(free.size() == posed.size());
   for (size_t i = 0; i < free.size(); ++i) {

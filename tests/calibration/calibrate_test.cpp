@@ -2,6 +2,7 @@
 
 #include "algorithms/calibration/content_start.h"
 #include "algorithms/calibration/levelling.h"
+#include "algorithms/calibration/scene_charts.h"
 #include "algorithms/scene/nominal_rig.h"
 #include "tests/calibration/calibration_scene.h"
 #include "tests/catch.h"
@@ -143,7 +144,7 @@ TEST_CASE("a toy calibrates to a tenth of a millimetre") {
   const scene::Scene toy = testing::shipped_scene("toy");
   CalibrationInput input;
   input.nominal = scene::nominal_rig(toy);
-  input.charts = testing::charts_of(toy);
+  input.charts = charts_of(toy);
   input.pictures = testing::pictures_of(toy);
   const Calibration calibration = calibrate(input);
   CHECK(calibration.accepted());

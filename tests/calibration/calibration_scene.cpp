@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "algorithms/calibration/scene_charts.h"
 #include "algorithms/geometry/angles.h"
 #include "algorithms/scene/nominal_rig.h"
 #include "algorithms/scene/scene_file.h"
@@ -30,24 +31,11 @@ std::vector<cv::Mat> pictures_of(const scene::Scene& scene) {
   return pictures;
 }
 
-std::vector<calibration::Chart> charts_of(const scene::Scene& scene) {
-  std::vector<calibration::Chart> charts;
-  for (const auto& board : scene.charts) {
-    calibration::Chart chart;
-    chart.name = board.name;
-    chart.squares = board.squares;
-    chart.side_m = board.square_m;
-    chart.vehicle_from_chart = board.world_from_chart;
-    charts.push_back(std::move(chart));
-  }
-  return charts;
-}
-
 calibration::CalibrationInput parking_input() {
   static const std::vector<cv::Mat> kPictures = pictures_of(parking());
   calibration::CalibrationInput input;
   input.nominal = scene::nominal_rig(parking());
-  input.charts = charts_of(parking());
+  input.charts = calibration::charts_of(parking());
   for (const auto& picture : kPictures) input.pictures.push_back(picture.clone());
   return input;
 }

@@ -14,9 +14,6 @@ scene::Scene shipped_scene(const std::string& name);
 /// Its four pictures (16 rays a pixel: about a second).
 std::vector<cv::Mat> pictures_of(const scene::Scene& scene);
 
-/// Its checkerboards, posed as they lie.
-std::vector<calibration::Chart> charts_of(const scene::Scene& scene);
-
 /// Pictures, charts and the nominal rig of the shipped parking lot; the pictures are rendered once.
 calibration::CalibrationInput parking_input();
 const geometry::Rig& parking_truth();

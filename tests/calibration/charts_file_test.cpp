@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/calibration/charts.h"
+#include "algorithms/calibration/scene_charts.h"
 #include "algorithms/geometry/angles.h"
-#include "algorithms/scene/truth_json.h"
 #include "tests/catch.h"
 #include "tests/test_data.h"
 
@@ -112,13 +111,16 @@ TEST_CASE("what svchain simulate says of its charts is a charts file") {
   simulated.squares = {5, 4};
   simulated.square_m = 0.25;
   simulated.world_from_chart = {3.1, 1.6, geometry::radians(6)};
-  const auto read = parse_charts(scene::charts_text({simulated}), "charts.json");
+  scene::Scene scene;
+  scene.charts = {simulated};
+  const std::string text = charts_text(charts_of(scene));
+  const auto read = parse_charts(text, "charts.json");
   REQUIRE(read);
   REQUIRE(read->size() == 1);
   CHECK(read->front().name == "front_left");
   CHECK(read->front().squares == std::array{5, 4});
   CHECK(read->front().vehicle_from_chart->yaw_rad == Approx(geometry::radians(6)));
-  CHECK(charts_text(*read) == scene::charts_text({simulated}));
+  CHECK(charts_text(*read) == text);
 }
 
 TEST_CASE("all faults of a charts file are told at once, each with its place") {

@@ -1,6 +1,7 @@
+#include "algorithms/calibration/charts.h"
+
 #include <algorithm>
 
-#include "algorithms/calibration/charts.h"
 #include "tests/catch.h"
 
 using namespace svchain::calibration;

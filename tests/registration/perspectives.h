@@ -4,16 +4,14 @@
 #include <random>
 
 #include "algorithms/geometry/angles.h"
+#include "algorithms/geometry/ray_from_ground.h"
 #include "algorithms/registration/alignment.h"
 #include "algorithms/registration/disagreement.h"
 
 namespace svchain::testing {
 
 inline Eigen::Matrix3d perspective_of(const geometry::Camera& camera) {
-  const geometry::Rigid3 camera_from_vehicle = camera.vehicle_from_camera.inverse();
-  Eigen::Matrix3d matrix = camera_from_vehicle.rotation.toRotationMatrix();
-  matrix.col(2) = camera_from_vehicle.translation;
-  return matrix;
+  return geometry::ray_from_ground(camera.vehicle_from_camera);
 }
 
 inline registration::Perspectives perspectives_of(const geometry::Rig& rig) {

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include "algorithms/calibration/scene_charts.h"
 #include "algorithms/geometry/view.h"
 #include "algorithms/scene/motion.h"
 #include "algorithms/scene/nominal_rig.h"
@@ -58,7 +59,8 @@ void write_truth(NewFolder& folder, const scene::World& world) {
   folder.write("truth.rig.json", geometry::rig_text(scene.rig));
   folder.write("nominal.rig.json", geometry::rig_text(scene::nominal_rig(scene)));
   folder.write("responses.json", scene::responses_text(scene.responses));
-  if (!scene.charts.empty()) folder.write("charts.json", scene::charts_text(scene.charts));
+  if (!scene.charts.empty())
+    folder.write("charts.json", calibration::charts_text(calibration::charts_of(scene)));
 }
 
 }  // namespace

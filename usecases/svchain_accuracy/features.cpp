@@ -4,6 +4,7 @@
 #include <optional>
 #include <random>
 
+#include "algorithms/calibration/accuracy.h"
 #include "algorithms/calibration/content_start.h"
 #include "algorithms/geometry/angles.h"
 #include "algorithms/geometry/ray_from_ground.h"
@@ -21,7 +22,6 @@ using calibration::CalibrationInput;
 using geometry::Rig;
 
 constexpr unsigned kSeeds = 10;
-constexpr double kCarLengthM = 4.8;
 
 struct Set {
   std::string name;
@@ -37,16 +37,12 @@ struct HeldOut {
   double slowest_ms = 0;
 };
 
-double scale_of(const Rig& rig) {
-  return std::min(1.0, rig.vehicle.length_m / kCarLengthM);
-}
-
 /// Every camera moved by up to 5 cm (of a car) and turned by up to 3 degrees about each axis.
 Rig disturbed(Rig rig, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> within(-1, 1);
   const auto error = [&] { return Eigen::Vector3d(within(random), within(random), within(random)); };
-  const double scale = scale_of(rig);
+  const double scale = calibration::scale_of(rig.vehicle);
   for (auto& camera : rig.cameras) {
     const Eigen::Vector3d turn_rad = geometry::radians(3) * error();
     camera.vehicle_from_camera =
@@ -60,9 +56,9 @@ void align(const Set& set, const Rig& start, double rotation_deg, double positio
   registration::AlignmentTask task;
   std::copy(set.input->pictures.begin(), set.input->pictures.end(), task.frames.begin());
   task.vehicle = start.vehicle;
-  task.view.metres_per_px = 0.01 * scale_of(start);
-  task.start = {kEvenToSigma * geometry::radians(rotation_deg), kEvenToSigma * scale_of(start) * position_m,
-                set.stretch};
+  task.view.metres_per_px = 0.01 * calibration::scale_of(start.vehicle);
+  task.start = {kEvenToSigma * geometry::radians(rotation_deg),
+                kEvenToSigma * calibration::scale_of(start.vehicle) * position_m, set.stretch};
   for (size_t c = 0; c < task.cameras.size(); ++c) {
     const auto& camera = start.cameras[c];
     task.cameras[c] = {camera.lens, camera.image_size_px,

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "algorithms/calibration/scene_charts.h"
 #include "algorithms/geometry/angles.h"
 #include "algorithms/geometry/kannala_brandt.h"
 #include "algorithms/scene/hash.h"
@@ -124,19 +125,6 @@ Scene trial_scene(const std::string& vehicle, const std::string& lens_model, uin
   return scene;
 }
 
-std::vector<calibration::Chart> charts_of(const Scene& scene) {
-  std::vector<calibration::Chart> charts;
-  for (const auto& board : scene.charts) {
-    calibration::Chart chart;
-    chart.name = board.name;
-    chart.squares = board.squares;
-    chart.side_m = board.square_m;
-    chart.vehicle_from_chart = board.world_from_chart;
-    charts.push_back(chart);
-  }
-  return charts;
-}
-
 std::vector<calibration::Chart> unposed(std::vector<calibration::Chart> charts) {
   for (auto& chart : charts) chart.vehicle_from_chart.reset();
   return charts;
@@ -145,7 +133,7 @@ std::vector<calibration::Chart> unposed(std::vector<calibration::Chart> charts) 
 calibration::CalibrationInput input_of(const Scene& scene) {
   calibration::CalibrationInput input;
   input.nominal = scene::nominal_rig(scene);
-  input.charts = charts_of(scene);
+  input.charts = calibration::charts_of(scene);
   const scene::StillRenderer renderer(std::make_shared<const scene::World>(scene));
   for (size_t camera = 0; camera < scene.rig.cameras.size(); ++camera)
     input.pictures.push_back(renderer.render(camera, 0, 0));

@@ -15,9 +15,7 @@ namespace svchain::accuracy {
 /// boxes, posts and coloured paint. Throws std::runtime_error where the scene's file cannot be read.
 scene::Scene trial_scene(const std::string& vehicle, const std::string& lens_model, uint64_t seed);
 
-/// The charts that lie in a scene, where they lie.
-std::vector<calibration::Chart> charts_of(const scene::Scene& scene);
-/// The same without their places.
+/// The same charts without their places.
 std::vector<calibration::Chart> unposed(std::vector<calibration::Chart> charts);
 
 /// What a calibration is given: the scene's nominal rig, its charts, and what the four cameras see.
