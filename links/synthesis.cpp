@@ -4,6 +4,7 @@
 #include <cstring>
 #include <optional>
 
+#include "algorithms/synthesis/fixed_point.h"
 #include "algorithms/synthesis/synthesize.h"
 #include "framework/link/call.h"
 #include "links/image.h"
@@ -78,6 +79,9 @@ class Synthesis final : public Link {
       camera = {{"b", tone_mapping_.curves[c][0]},
                 {"g", tone_mapping_.curves[c][1]},
                 {"r", tone_mapping_.curves[c][2]}};
+      const auto [a1, a2] = tone_mapping_.falloff[c];
+      report["photometric"]["falloff"][geometry::kCameraNames[c]] = {double(a1) / synthesis::kRadialOne,
+                                                                     double(a2) / synthesis::kRadialOne};
     }
   }
 

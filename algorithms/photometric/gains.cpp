@@ -209,7 +209,7 @@ Gains estimate_gains(const synthesis::OverlapStatistics& statistics, size_t came
 }
 
 synthesis::ToneMapping tone_mapping(const Gains& gains) {
-  synthesis::ToneMapping mapping;
+  synthesis::ToneMapping mapping{};
   for (int i = 0; i < kMaxCameras; ++i)
     for (int c = 0; c < kChannels; ++c)
       for (int v = 0; v < 256; ++v)

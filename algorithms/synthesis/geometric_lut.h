@@ -27,7 +27,7 @@ namespace svchain::synthesis {
 inline constexpr int kBlockSize = 40;
 inline constexpr int kLargestBox = 2048;
 inline constexpr uint32_t kLutMagic = 0x54554c47;  // "GLUT"
-inline constexpr uint32_t kLutVersion = 1;
+inline constexpr uint32_t kLutVersion = 2;
 
 enum class SpanKind : uint8_t { kBlack, kBackground, kCamera, kBlend };
 
@@ -45,11 +45,18 @@ struct LutSource {
   uint16_t x, y, width, height;  // the box, px
 };
 
+/// Where in their images two blended cameras see a block: mean of q^2 over the pixels that blend, q being the
+/// distance from the lens's centre in half image widths.
+struct LutOverlap {
+  float q2_first, q2_second;
+};
+
 struct LutBlock {
   uint16_t x, y, width, height;  // in the composite, px
   uint32_t source_count;
-  std::array<LutSource, 4> sources;  // by rising camera number
-  uint32_t spans_at, span_count;     // offsets in bytes from the LUT's start
+  std::array<LutSource, 4> sources;    // by rising camera number
+  std::array<LutOverlap, 4> overlaps;  // by the source that is the clockwise first of a pair
+  uint32_t spans_at, span_count;       // offsets in bytes from the LUT's start
   uint32_t entries_at, entry_count;
   uint32_t weights_at, weight_count;
   uint32_t background_at, background_count;
@@ -68,6 +75,7 @@ struct LutHeader {
   double metres_per_px;
   double centre_m[2];
   std::array<std::array<int32_t, 2>, 4> image_size_px;
+  std::array<std::array<int32_t, 2>, 4> lens_centre;  // 1/32 px
 };
 
 /// Blocks of a composite of this size.

@@ -144,6 +144,7 @@ class BlockWriter {
     weights_.clear();
     pixels_.clear();
     find_sources(block, cells);
+    find_overlaps(block, cells);
     for (int row = 0; row < block.height; ++row)
       for (int start = 0; start < block.width;) {
         const Cell* run = cells + row * block.width + start;
@@ -198,6 +199,28 @@ class BlockWriter {
     }
   }
 
+  void find_overlaps(LutBlock& block, const Cell* cells) {
+    std::array<double, 4> first = {}, second = {};
+    std::array<int, 4> pixels = {};  // by first camera
+    for (const Cell* cell = cells; cell != cells + block.width * block.height; ++cell) {
+      if (cell->kind != SpanKind::kBlend) continue;
+      const int camera = cell->taps[0].camera;
+      first[camera] += q2(cell->taps[0]);
+      second[camera] += q2(cell->taps[1]);
+      ++pixels[camera];
+    }
+    for (int camera = 0; camera < 4; ++camera)
+      if (pixels[camera] > 0)
+        block.overlaps[source_of_camera_[camera]] = {static_cast<float>(first[camera] / pixels[camera]),
+                                                     static_cast<float>(second[camera] / pixels[camera])};
+  }
+
+  double q2(const Tap& tap) const {
+    const auto& centre = header_.lens_centre[tap.camera];
+    const RadialScale scale = RadialScale::of(header_.image_size_px[tap.camera][0]);
+    return double(scale.q2(tap.x - centre[0], tap.y - centre[1])) / kRadialOne;
+  }
+
   void add_span(const LutBlock& block, const Cell* run, int row, int start, int count) {
     LutSpan span{
         run->kind, static_cast<uint8_t>(row), static_cast<uint8_t>(start), static_cast<uint8_t>(count), 0, 0};
@@ -245,6 +268,15 @@ void check(const geometry::Rig& rig, const geometry::View& view, const BlendShap
     refuse("the blend is " + std::to_string(shape.width_deg) + " degrees wide, expected 0 to 90");
 }
 
+/// 1/32 px. Falloff is about the axis; a lens that does not see it is one whose image has no such centre.
+std::array<int32_t, 2> lens_centre(const geometry::Camera& camera) {
+  const auto centre = camera.lens->project({0, 0, 1});
+  const Eigen::Vector2d px =
+      centre ? *centre : (camera.image_size_px.cast<double>() - Eigen::Vector2d::Ones()) / 2;
+  return {static_cast<int32_t>(std::lround(px.x() * kOnePixel)),
+          static_cast<int32_t>(std::lround(px.y() * kOnePixel))};
+}
+
 void fill_header(LutHeader& header, const geometry::Rig& rig, const geometry::View& view) {
   header.magic = kLutMagic;
   header.version = kLutVersion;
@@ -255,8 +287,11 @@ void fill_header(LutHeader& header, const geometry::Rig& rig, const geometry::Vi
   header.metres_per_px = view.metres_per_px;
   header.centre_m[0] = view.centre_m.x();
   header.centre_m[1] = view.centre_m.y();
-  for (int i = 0; i < 4; ++i)
-    header.image_size_px[i] = {rig.cameras[i].image_size_px.x(), rig.cameras[i].image_size_px.y()};
+  for (int i = 0; i < 4; ++i) {
+    const geometry::Camera& camera = rig.cameras[i];
+    header.image_size_px[i] = {camera.image_size_px.x(), camera.image_size_px.y()};
+    header.lens_centre[i] = lens_centre(camera);
+  }
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
 #pragma once
 // What synthesis tells photometric alignment about a frame: for every 40x40 block of the composite and pair
-// of cameras blended in it, how bright either camera is there, before tone mapping. Gathered in passing, so
-// that no frame is read twice. One flat block of memory, because it travels between cores in a pool buffer:
-// this header, with its entries right behind it. The memory's owner frees it; one writer, then any readers.
+// of cameras blended in it, how bright either camera is there, before falloff and tone mapping. Gathered in
+// passing, so that no frame is read twice. One flat block of memory, because it travels between cores in a
+// pool buffer: this header, with its entries right behind it. The memory's owner frees it; one writer, then
+// any readers.
 
 #include <array>
 #include <cstddef>
@@ -28,6 +29,8 @@ struct OverlapBlock {
   uint16_t camera_b;
   uint32_t block;   // index in the LUT
   uint32_t pixels;  // 1 to 1600
+  float q2_a;       // where in its image camera a sees the block: mean q^2 (geometric_lut.h, LutOverlap)
+  float q2_b;
   BlockSamples a;
   BlockSamples b;
 };

@@ -19,6 +19,10 @@ struct Source {
   const uint8_t* origin = nullptr;  // top left pixel of the box, null for a missing frame
   size_t pitch = 0;
   const std::array<ToneMapping::Curve, kChannels>* curves = nullptr;
+  bool has_falloff = false;
+  int32_t a1 = 0, a2 = 0;
+  int32_t centre_x = 0, centre_y = 0;  // of the lens, 1/32 px from the box's top left pixel
+  RadialScale radial = {};
 };
 
 void sample(const Source& source, const uint32_t* entries, int count, Samples& samples) {
@@ -38,7 +42,19 @@ void sample(const Source& source, const uint32_t* entries, int count, Samples& s
   }
 }
 
-void tone_map(const Source& source, int count, Samples& samples) {
+void undo_falloff(const Source& source, const uint32_t* entries, int count, Samples& samples) {
+  int32_t factors[kBlockSize];
+  for (int i = 0; i < count; ++i) {
+    const auto x = static_cast<int32_t>(entry_x(entries[i])), y = static_cast<int32_t>(entry_y(entries[i]));
+    factors[i] =
+        radial_factor(source.a1, source.a2, source.radial.q2(x - source.centre_x, y - source.centre_y));
+  }
+  for (int c = 0; c < kChannels; ++c)
+    for (int i = 0; i < count; ++i) samples.channel[c][i] = unfade(samples.channel[c][i], factors[i]);
+}
+
+void tone_map(const Source& source, const uint32_t* entries, int count, Samples& samples) {
+  if (source.has_falloff) undo_falloff(source, entries, count, samples);
   for (int c = 0; c < kChannels; ++c) {
     const ToneMapping::Curve& curve = (*source.curves)[c];
     for (int i = 0; i < count; ++i) samples.channel[c][i] = curve[samples.channel[c][i]];
@@ -111,18 +127,31 @@ class Kernel {
  private:
   void open(const LutBlock& block) {
     for (uint32_t i = 0; i < block.source_count; ++i) {
-      const LutSource& source = block.sources[i];
-      const cv::Mat& frame = frames_[source.camera];
-      sources_[i].origin = frame.empty() ? nullptr : frame.ptr(source.y) + source.x * kChannels;
-      sources_[i].pitch = frame.empty() ? 0 : frame.step[0];
-      sources_[i].curves = &tone_mapping_.curves[source.camera];
+      sources_[i] = source_of(block.sources[i]);
       overlaps_[i] = {};
     }
   }
 
+  Source source_of(const LutSource& box) const {
+    const LutHeader& header = lut_.header();
+    const cv::Mat& frame = frames_[box.camera];
+    Source source;
+    source.origin = frame.empty() ? nullptr : frame.ptr(box.y) + box.x * kChannels;
+    source.pitch = frame.empty() ? 0 : frame.step[0];
+    source.curves = &tone_mapping_.curves[box.camera];
+    source.has_falloff = tone_mapping_.has_falloff(box.camera);
+    if (!source.has_falloff) return source;
+    source.a1 = tone_mapping_.falloff[box.camera][0];
+    source.a2 = tone_mapping_.falloff[box.camera][1];
+    source.centre_x = header.lens_centre[box.camera][0] - box.x * int{kOnePixel};
+    source.centre_y = header.lens_centre[box.camera][1] - box.y * int{kOnePixel};
+    source.radial = RadialScale::of(header.image_size_px[box.camera][0]);
+    return source;
+  }
+
   void show_one(const Source& source, const uint32_t* entries, int count, uint8_t* out) {
     sample(source, entries, count, first_);
-    tone_map(source, count, first_);
+    tone_map(source, entries, count, first_);
     store(first_, count, out);
   }
 
@@ -139,8 +168,8 @@ class Kernel {
       gather(first_, count, overlap.a);
       gather(second_, count, overlap.b);
     }
-    tone_map(a, count, first_);
-    tone_map(b, count, second_);
+    tone_map(a, entries, count, first_);
+    tone_map(b, entries + count, count, second_);
     blend(first_, second_, weights, count, first_);
     store(first_, count, out);
   }
@@ -153,6 +182,8 @@ class Kernel {
       overlap.camera_a = block.sources[i].camera;
       overlap.camera_b = block.sources[overlap.camera_b].camera;
       overlap.block = index;
+      overlap.q2_a = block.overlaps[i].q2_first;
+      overlap.q2_b = block.overlaps[i].q2_second;
       statistics_->add(overlap);
     }
   }

@@ -1,12 +1,12 @@
 #pragma once
 // The composite view from one frame of each camera: block by block, sample, tone-map and blend in one pass
-// (the paper's "Surround view synthesis" and "DSP optimization"). With s the bilinear sample and T the tone
-// curve of a camera and channel, a pixel is, exactly,
-//   T_a[s_a]                                      where one camera shows it
-//   blend(T_a[s_a], T_b[s_b], weight)             where two do
+// (the paper's "Surround view synthesis" and "DSP optimization"). With s the bilinear sample, u(s) the sample
+// without its camera's falloff and T the tone curve of a camera and channel, a pixel is, exactly,
+//   T_a[u(s_a)]                                   where one camera shows it
+//   blend(T_a[u(s_a)], T_b[u(s_b)], weight)       where two do
 //   the LUT's background, or black                elsewhere
-// with `bilinear` and `blend` of fixed_point.h. Statistics are of s, before tone mapping, over the pixels
-// that blend.
+// with `bilinear`, `unfade` and `blend` of fixed_point.h; u(s) = s where a camera has no falloff. Statistics
+// are of s over the pixels that blend.
 
 #include <opencv2/core/mat.hpp>
 #include <span>

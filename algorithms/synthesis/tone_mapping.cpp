@@ -5,7 +5,7 @@
 namespace svchain::synthesis {
 
 ToneMapping ToneMapping::identity() {
-  ToneMapping mapping;
+  ToneMapping mapping{};
   for (auto& camera : mapping.curves)
     for (Curve& curve : camera) std::iota(curve.begin(), curve.end(), uint8_t{0});
   return mapping;

@@ -4,8 +4,8 @@
 #include <opencv2/core.hpp>
 #include <random>
 
-#include "tests/catch.h"
 #include "tests/allocation_count.h"
+#include "tests/catch.h"
 #include "tests/synthesis/decoded_lut.h"
 #include "tests/synthesis/four_cameras.h"
 
@@ -42,7 +42,7 @@ std::vector<cv::Mat> random_frames() {
 
 ToneMapping random_tone_mapping() {
   std::mt19937 random(5);
-  ToneMapping mapping;
+  ToneMapping mapping{};
   for (auto& camera : mapping.curves)
     for (auto& curve : camera)
       for (uint8_t& value : curve) value = static_cast<uint8_t>(random());
@@ -155,6 +155,58 @@ TEST_CASE("the composite is within a level of unrounded arithmetic") {
   CHECK(largest <= 1);
 }
 
+TEST_CASE("falloff multiplies samples by 1 + a1 q^2 + a2 q^4 before the curve, to a level") {
+  Fixture f;
+  ToneMapping mapping = ToneMapping::identity();
+  mapping.falloff[0] = {1229, -410};
+  mapping.falloff[2] = {-820, 2048};
+  synthesize(f.lut, f.frames, mapping, f.out, nullptr);
+  size_t compared = 0, exact = 0;
+  for (int row = 0; row < f.decoded.height; ++row)
+    for (int column = 0; column < f.decoded.width; ++column) {
+      const DecodedPixel& pixel = f.decoded.at(column, row);
+      if (pixel.kind != SpanKind::kCamera) continue;
+      const DecodedTap& tap = pixel.taps[0];
+      const Eigen::Vector2d centre = (kImage.cast<double>().array() - 1) / 2;
+      const double q2 = (Eigen::Vector2d(tap.px(), tap.py()) - centre).squaredNorm() / (160.0 * 160.0);
+      const auto [a1, a2] = mapping.falloff[tap.camera];
+      const double factor = 1 + a1 / 4096.0 * q2 + a2 / 4096.0 * q2 * q2;
+      for (int c = 0; c < 3; ++c) {
+        const double value = std::min(255.0, defined_sample(f.frames[tap.camera], tap, c) * factor);
+        const int got = f.out.at<cv::Vec3b>(row, column)[c];
+        REQUIRE(std::abs(got - value) < 1);
+        ++compared;
+        exact += got == std::lround(value);
+      }
+    }
+  CHECK(compared > 10000);
+  CHECK(exact > 0.97 * compared);
+}
+
+TEST_CASE("the LUT tells where in their images two cameras see a block they share") {
+  Fixture f;
+  synthesize(f.lut, f.frames, ToneMapping::identity(), f.out, f.statistics.get());
+  REQUIRE((*f.statistics).count > 20);
+  for (const OverlapBlock& overlap : (*f.statistics).blocks()) {
+    double a = 0, b = 0;
+    int pixels = 0;
+    for (const DecodedPixel& pixel : f.decoded.pixels) {
+      if (pixel.kind != SpanKind::kBlend || pixel.block != overlap.block ||
+          pixel.taps[0].camera != overlap.camera_a)
+        continue;
+      const Eigen::Vector2d centre = (kImage.cast<double>().array() - 1) / 2;
+      const auto q2 = [&](const DecodedTap& tap) {
+        return (Eigen::Vector2d(tap.px(), tap.py()) - centre).squaredNorm() / (160.0 * 160.0);
+      };
+      a += q2(pixel.taps[0]);
+      b += q2(pixel.taps[1]);
+      ++pixels;
+    }
+    CHECK(overlap.q2_a == Approx(a / pixels).margin(0.001));
+    CHECK(overlap.q2_b == Approx(b / pixels).margin(0.001));
+  }
+}
+
 TEST_CASE("frames and composite may lie in larger pictures, and nothing beside them is read or written") {
   Fixture f;
   synthesize(f.lut, f.frames, ToneMapping::identity(), f.out, nullptr);
@@ -227,6 +279,8 @@ TEST_CASE("statistics are the sums over all pixels that blend, block by block an
   for (const OverlapBlock& block : (*f.statistics).blocks()) {
     const auto found = expected.find({block.block, block.camera_a, block.camera_b});
     REQUIRE(found != expected.end());
+    found->second.q2_a = block.q2_a;  // the LUT's, tested by themselves
+    found->second.q2_b = block.q2_b;
     CHECK(std::memcmp(&found->second, &block, sizeof block) == 0);
     clipped += block.a.clipped[0] + block.b.clipped[1];
   }
