@@ -1,8 +1,11 @@
 #pragma once
-// Frames as OpenCV pictures, without a copy. The picture borrows the frame's memory. Never allocates.
+// Frames as pictures, without a copy: for OpenCV where they are BGR, for our own arithmetic in any format.
+// The picture borrows the frame's memory. Never allocates.
 
+#include <cassert>
 #include <opencv2/core/mat.hpp>
 
+#include "algorithms/colour/picture.h"
 #include "framework/buffer/frame.h"
 
 namespace svchain {
@@ -19,6 +22,26 @@ inline cv::Mat bgr_picture(const Frame& frame, int buffer = 0) {
 
 inline cv::Mat bgr_picture(Draft& draft, int buffer = 0) {
   return bgr_picture(draft.format(buffer), draft.bytes(buffer).data());
+}
+
+/// bgr8, nv12 or yuyv.
+inline colour::Picture any_picture(const Format& format, std::byte* data) {
+  if (format.type == "bgr8") return colour::bgr_picture(bgr_picture(format, data));
+  const auto encoding = colour::yuv_encoding(format.colour);
+  assert(encoding && (format.type == "nv12" || format.type == "yuyv"));
+  const auto view = format.type == "nv12" ? colour::nv12_picture : colour::yuyv_picture;
+  return view(format.width_px, format.height_px, static_cast<size_t>(format.pitch_bytes),
+              reinterpret_cast<uint8_t*>(data), *encoding);
+}
+
+/// Of a shared frame: to be read only. Empty where a set has nothing at this place.
+inline colour::Picture any_picture(const Frame& frame, int buffer = 0) {
+  if (!frame.has(buffer)) return {};
+  return any_picture(frame.format(buffer), const_cast<std::byte*>(frame.bytes(buffer).data()));
+}
+
+inline colour::Picture any_picture(Draft& draft, int buffer = 0) {
+  return any_picture(draft.format(buffer), draft.bytes(buffer).data());
 }
 
 }  // namespace svchain

@@ -8,31 +8,41 @@ namespace svchain {
 
 namespace {
 
-/// The setting "rig", or what the simulated scene gives instead.
+/// The rig of that file, or what the simulated scene gives instead.
 template <class FromScene>
-Result<geometry::Rig> rig_or(const Configuration& configuration, FromScene from_scene) {
-  const std::string rig = configuration.setting("rig").text("value");
+Result<geometry::Rig> rig_or(const std::string& rig, const std::string& input, FromScene from_scene) {
   if (!rig.empty()) return geometry::read_rig(rig);
-  const auto scene = simulated_scene(configuration);
+  const auto scene = simulated_scene(input);
   if (!scene) return tl::unexpected(scene.error());
   if (*scene) return from_scene(**scene);
-  const std::string input = configuration.setting("input").text("value");
   return fail("--rig",
               "missing: frames from \"" + input + "\" need a rig file that says how the cameras look");
+}
+
+std::string plain_setting(const Configuration& configuration, const std::string& name) {
+  return configuration.setting(name).text("value");
 }
 
 }  // namespace
 
 Result<geometry::Rig> rig_in_use(const Configuration& configuration) {
-  return rig_or(configuration, [](const scene::Scene& scene) { return scene.rig; });
+  return rig_or(plain_setting(configuration, "rig"), plain_setting(configuration, "input"),
+                [](const scene::Scene& scene) { return scene.rig; });
 }
 
 Result<geometry::Rig> nominal_rig_in_use(const Configuration& configuration) {
-  return rig_or(configuration, scene::nominal_rig);
+  return nominal_rig_of(plain_setting(configuration, "rig"), plain_setting(configuration, "input"));
+}
+
+Result<geometry::Rig> nominal_rig_of(const std::string& rig, const std::string& input) {
+  return rig_or(rig, input, scene::nominal_rig);
 }
 
 Result<std::optional<scene::Scene>> simulated_scene(const Configuration& configuration) {
-  const std::string input = configuration.setting("input").text("value");
+  return simulated_scene(plain_setting(configuration, "input"));
+}
+
+Result<std::optional<scene::Scene>> simulated_scene(const std::string& input) {
   constexpr std::string_view kSimulated = "simulated:";
   if (!input.starts_with(kSimulated)) return std::nullopt;
   const auto file = find_scene(input.substr(kSimulated.size()));

@@ -8,6 +8,7 @@
 #include "algorithms/synthesis/synthesize.h"
 #include "framework/link/call.h"
 #include "links/image.h"
+#include "links/picture_parameters.h"
 #include "links/surround_settings.h"
 
 namespace svchain {
@@ -17,6 +18,7 @@ namespace {
 constexpr int kFrames = 0, kLut = 1, kToneMapping = 2;
 constexpr int kView = 0, kStatistics = 1;
 constexpr size_t kCameraCount = 4;
+const std::vector<std::string> kViewTypes = {"bgr8", "nv12"};
 
 class Synthesis final : public Link {
  public:
@@ -25,7 +27,7 @@ class Synthesis final : public Link {
     d.type = "synthesis";
     d.help = "makes the composite from a set of four through the LUTs, and block means of the overlaps";
     d.inputs = {{.name = "frames",
-                 .types = {"bgr8"},
+                 .types = {"bgr8", "nv12", "yuyv"},
                  .count = kCameraCount,
                  .help = "sets of four, front right rear left"},
                 {.name = "lut",
@@ -38,18 +40,22 @@ class Synthesis final : public Link {
                  .count = 1,
                  .optional = true,
                  .help = "applied to the next frame; the identity before the first"}};
-    d.outputs = {{.name = "view", .types = {"bgr8"}, .count = 1, .help = "the composite"},
+    d.outputs = {{.name = "view", .types = kViewTypes, .count = 1, .help = "the composite"},
                  {.name = "statistics",
                   .types = {"overlap_statistics"},
                   .count = 1,
                   .help = "block means of both cameras in every overlap, before tone mapping"}};
+    d.parameters = picture_parameters("output_", kViewTypes);
     return d;
   }
 
   void configure(Configuration& configuration) override {
+    check_colours(configuration, kFrames);
     geometry::View view;
     view.size_px = view_size_px(configuration);
-    configuration.output(kView, {Format::bgr8(view.size_px.x(), view.size_px.y())});
+    const PictureKind kind = picture_kind(configuration, "output_");
+    configuration.output(kView, {picture_format(configuration, "output_", kind, view.size_px.x(),
+                                                view.size_px.y(), "the view")});
     configuration.output(
         kStatistics, {Format::table("overlap_statistics", synthesis::OverlapStatistics::bytes_for(view))});
     tone_mapping_ = synthesis::ToneMapping::identity();
@@ -61,13 +67,12 @@ class Synthesis final : public Link {
     if (const Frame& curves = call.input(kToneMapping)) {
       std::memcpy(&tone_mapping_, curves.bytes().data(), sizeof(tone_mapping_));
     }
-    std::array<cv::Mat, kCameraCount> frames;
+    std::array<colour::Picture, kCameraCount> frames;
     for (size_t c = 0; c < kCameraCount; ++c)
-      frames[c] = bgr_picture(call.input(kFrames), static_cast<int>(c));
+      frames[c] = any_picture(call.input(kFrames), static_cast<int>(c));
     Draft view = call.create(kView);
     Draft statistics = call.create(kStatistics);
-    cv::Mat composite = bgr_picture(view);
-    synthesis::synthesize(lut_of(call.input(kLut)), frames, tone_mapping_, composite,
+    synthesis::synthesize(lut_of(call.input(kLut)), frames, tone_mapping_, any_picture(view),
                           synthesis::OverlapStatistics::create(statistics.bytes()));
     call.send(kView, std::move(view));
     call.send(kStatistics, std::move(statistics));

@@ -10,7 +10,6 @@ namespace svchain::registration {
 
 namespace {
 
-constexpr size_t kFewestMatches = 8;
 constexpr int kLeastSidePx = 16;       // of an image
 constexpr double kNoisePx = 1;         // of a feature on the ground, at the scale it is found at ...
 constexpr double kLeastNoisePx = 0.1;  // ... and when it has been measured
@@ -147,6 +146,36 @@ Faults sparse_overlaps(const std::array<OverlapAlignment, 4>& overlaps, const Fe
   return faults;
 }
 
+/// An alignment with what was found on the way to it.
+struct Attempt {
+  Alignment alignment;
+  Features found;
+};
+
+Attempt attempt(const AlignmentTask& task) {
+  StageClock clock;
+  Knowledge knowledge = first_knowledge(task);
+  clock.spent_on("warp");
+  Attempt made;
+  double noise_m = 0;
+  for (Fineness pass : kPasses) {
+    pass.metres_per_px *= task.view.metres_per_px;
+    for (size_t a = 0; a < 4; ++a) made.found[a] = match_overlap(knowledge, a, pass, clock);
+    const auto pairs = rays_of(made.found, task.folds, task.folds);
+    fit(task, pairs, kNoisePx * pass.metres_per_px, knowledge);
+    if (pass.patches) {
+      noise_m = std::max(kLeastNoisePx * task.view.metres_per_px, measured_noise_m(pairs, knowledge));
+      fit(task, pairs, noise_m, knowledge);
+    }
+    clock.spent_on("fit");
+  }
+  for (size_t i = 0; i < 4; ++i) made.alignment.ray_from_ground[i] = knowledge.cameras[i].ray_from_ground;
+  made.alignment.overlaps = measured(task, made.found, noise_m, knowledge);
+  clock.spent_on("hold out");
+  made.alignment.times = clock.times();
+  return made;
+}
+
 double rms_of_inliers(const std::vector<Match>& matches, double Match::*residual_px) {
   double squares = 0;
   int count = 0;
@@ -175,30 +204,15 @@ double OverlapAlignment::held_out_rms_px() const {
 
 Result<Alignment> align(const AlignmentTask& task) {
   if (Faults faults = faults_of(task); !faults.empty()) return tl::unexpected(faults);
-  StageClock clock;
-  Knowledge knowledge = first_knowledge(task);
-  clock.spent_on("warp");
-  Features found;
-  double noise_m = 0;
-  for (Fineness pass : kPasses) {
-    pass.metres_per_px *= task.view.metres_per_px;
-    for (size_t a = 0; a < 4; ++a) found[a] = match_overlap(knowledge, a, pass, clock);
-    const auto pairs = rays_of(found, task.folds, task.folds);
-    fit(task, pairs, kNoisePx * pass.metres_per_px, knowledge);
-    if (pass.patches) {
-      noise_m = std::max(kLeastNoisePx * task.view.metres_per_px, measured_noise_m(pairs, knowledge));
-      fit(task, pairs, noise_m, knowledge);
-    }
-    clock.spent_on("fit");
-  }
-  Alignment alignment;
-  for (size_t i = 0; i < 4; ++i) alignment.ray_from_ground[i] = knowledge.cameras[i].ray_from_ground;
-  alignment.overlaps = measured(task, found, noise_m, knowledge);
-  if (Faults faults = sparse_overlaps(alignment.overlaps, found); !faults.empty())
+  Attempt made = attempt(task);
+  if (Faults faults = sparse_overlaps(made.alignment.overlaps, made.found); !faults.empty())
     return tl::unexpected(faults);
-  clock.spent_on("hold out");
-  alignment.times = clock.times();
-  return alignment;
+  return std::move(made.alignment);
+}
+
+Result<Alignment> align_by_any_matches(const AlignmentTask& task) {
+  if (Faults faults = faults_of(task); !faults.empty()) return tl::unexpected(faults);
+  return attempt(task).alignment;
 }
 
 }  // namespace svchain::registration

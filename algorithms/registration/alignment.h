@@ -52,8 +52,13 @@ struct Alignment {
   std::vector<StageTime> times;
 };
 
+/// An overlap in which fewer matches agree tells nothing.
+inline constexpr size_t kFewestMatches = 8;
+
 /// Faults: a frame that is not what its camera takes, a singular matrix, an uncertainty that is not positive;
 /// overlaps with too few matches, which tell what was found there.
 Result<Alignment> align(const AlignmentTask& task);
+/// The same, however few matches there are: for whoever judges them himself.
+Result<Alignment> align_by_any_matches(const AlignmentTask& task);
 
 }  // namespace svchain::registration

@@ -1,5 +1,6 @@
 #include "algorithms/synthesis/camera_shares.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "algorithms/synthesis/smoothstep.h"
@@ -15,6 +16,13 @@ enum { kFront, kRight, kRear, kLeft };
 CameraShares in_order(int main, int other, double share_of_main) {
   if (other == (main + 1) % 4) return {main, other, share_of_main};
   return {other, main, 1 - share_of_main};
+}
+
+/// 0 to 1 over the width, about the middle.
+double rise(const BlendShape& shape, double past_middle_deg) {
+  if (shape.width_deg <= 0) return past_middle_deg > 0 ? 1 : 0;
+  const double t = 0.5 + past_middle_deg / shape.width_deg;
+  return shape.curve == BlendCurve::kLinear ? std::clamp(t, 0.0, 1.0) : smoothstep(t);
 }
 
 }  // namespace
@@ -33,10 +41,7 @@ CameraShares camera_shares(const geometry::Vehicle& vehicle, const BlendShape& s
   if (beyond_side <= 0) return in_order(end, side, 1);
 
   const double angle_deg = std::atan2(beyond_side, beyond_end) * kDegPerRad;  // 0 straight ahead, 90 abeam
-  const double past_middle = angle_deg - 45;
-  const double share_of_side =
-      shape.width_deg > 0 ? smoothstep(0.5 + past_middle / shape.width_deg) : (past_middle > 0 ? 1.0 : 0.0);
-  return in_order(end, side, 1 - share_of_side);
+  return in_order(end, side, 1 - rise(shape, angle_deg - 45));
 }
 
 int first_weight(const BlendShape& shape, double share_of_first, double first_fade, double second_fade) {
@@ -45,6 +50,11 @@ int first_weight(const BlendShape& shape, double share_of_first, double first_fa
   const double weight = first / either;
   if (shape.width_deg <= 0) return weight > 0.5 ? 255 : 0;
   return static_cast<int>(std::lround(255 * weight));
+}
+
+int shown_weight(const BlendShape& shape, int first_weight) {
+  if (shape.curve != BlendCurve::kBinary) return first_weight;
+  return first_weight > 127 ? 255 : 0;
 }
 
 }  // namespace svchain::synthesis

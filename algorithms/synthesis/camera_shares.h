@@ -29,7 +29,11 @@ CameraShares camera_shares(const geometry::Vehicle& vehicle, const BlendShape& s
 /// What a camera loses by fading goes to the other: with s the first's share and f, g the two fades,
 ///   f (s + (1 - s)(1 - g)) / (f + g - f g),
 /// which is s where neither fades, 1 where only the first sees the point, and continuous between. At least
-/// one of the fades must be above 0. With a binary shape it is 0 or 255.
+/// one of the fades must be above 0. With a width of 0 it is 0 or 255.
 int first_weight(const BlendShape& shape, double share_of_first, double first_fade, double second_fade);
+
+/// The weight that a pixel shows which both cameras are sampled for: a binary curve decides for the camera
+/// that has more of it.
+int shown_weight(const BlendShape& shape, int first_weight);
 
 }  // namespace svchain::synthesis

@@ -79,8 +79,9 @@ class CellMaker {
     const int main_weight = in_order ? weight : 255 - weight;
     if (main_weight == 255) return one(tap(main, *main_seen));
     if (main_weight == 0) return one(tap(other, *other_seen));
-    Cell cell{
-        SpanKind::kBlend, static_cast<uint8_t>(weight), {tap(main, *main_seen), tap(other, *other_seen)}};
+    Cell cell{SpanKind::kBlend,
+              static_cast<uint8_t>(shown_weight(shape_, weight)),
+              {tap(main, *main_seen), tap(other, *other_seen)}};
     if (!in_order) std::swap(cell.taps[0], cell.taps[1]);
     return cell;
   }

@@ -1,46 +1,27 @@
 #include "algorithms/synthesis/synthesize.h"
 
 #include <cstring>
-#include <opencv2/core.hpp>
 #include <stdexcept>
 #include <string>
 
+#include "algorithms/colour/convert.h"
 #include "algorithms/synthesis/fixed_point.h"
+#include "algorithms/synthesis/sampling.h"
 
 namespace svchain::synthesis {
 namespace {
 
-/// Samples of a span, channel by channel, so that what follows runs over plain arrays.
-struct Samples {
-  uint8_t channel[kChannels][kBlockSize];
-};
+using colour::Picture;
+using colour::PixelFormat;
 
 struct Source {
-  const uint8_t* origin = nullptr;  // top left pixel of the box, null for a missing frame
-  size_t pitch = 0;
+  FrameBox frame;
   const std::array<ToneMapping::Curve, kChannels>* curves = nullptr;
   bool has_falloff = false;
   int32_t a1 = 0, a2 = 0;
   int32_t centre_x = 0, centre_y = 0;  // of the lens, 1/32 px from the box's top left pixel
   RadialScale radial = {};
 };
-
-void sample(const Source& source, const uint32_t* entries, int count, Samples& samples) {
-  if (!source.origin) {
-    std::memset(&samples, 0, sizeof samples);
-    return;
-  }
-  for (int i = 0; i < count; ++i) {
-    const uint32_t x = entry_x(entries[i]), y = entry_y(entries[i]);
-    const uint8_t* upper =
-        source.origin + (y >> kFractionBits) * source.pitch + (x >> kFractionBits) * kChannels;
-    const uint8_t* lower = upper + source.pitch;
-    const uint32_t fx = x % kOnePixel, fy = y % kOnePixel;
-    for (int c = 0; c < kChannels; ++c)
-      samples.channel[c][i] =
-          bilinear(upper[c], upper[c + kChannels], lower[c], lower[c + kChannels], fx, fy);
-  }
-}
 
 void undo_falloff(const Source& source, const uint32_t* entries, int count, Samples& samples) {
   int32_t factors[kBlockSize];
@@ -90,17 +71,18 @@ void gather(const Samples& samples, int count, BlockSamples& into) {
 /// One block after the other; borrows everything.
 class Kernel {
  public:
-  Kernel(const GeometricLut& lut, std::span<const cv::Mat> frames, const ToneMapping& tone_mapping,
-         cv::Mat& out, OverlapStatistics* statistics)
+  Kernel(const GeometricLut& lut, std::span<const Picture> frames, const ToneMapping& tone_mapping,
+         const Picture& out, OverlapStatistics* statistics)
       : lut_(lut), frames_(frames), tone_mapping_(tone_mapping), out_(out), statistics_(statistics) {}
 
   void run(const LutBlock& block, uint32_t index) {
     open(block);
+    const Picture target = bgr_target(block);
     const uint32_t* entries = lut_.entries(block);
     const uint8_t* weights = lut_.weights(block);
     const uint8_t* background = lut_.background(block);
     for (const LutSpan& span : lut_.spans(block)) {
-      uint8_t* out = out_.ptr(block.y + span.row) + (block.x + span.start) * kChannels;
+      uint8_t* out = target.pixels + span.row * target.pitch_bytes + span.start * kChannels;
       const int count = span.count;
       switch (span.kind) {
         case SpanKind::kBlack:
@@ -121,6 +103,7 @@ class Kernel {
           break;
       }
     }
+    if (out_.format == PixelFormat::kNv12) colour::yuv_from_bgr(target, nv12_target(block));
     if (statistics_) close(block, index);
   }
 
@@ -134,10 +117,8 @@ class Kernel {
 
   Source source_of(const LutSource& box) const {
     const LutHeader& header = lut_.header();
-    const cv::Mat& frame = frames_[box.camera];
     Source source;
-    source.origin = frame.empty() ? nullptr : frame.ptr(box.y) + box.x * kChannels;
-    source.pitch = frame.empty() ? 0 : frame.step[0];
+    source.frame = FrameBox(frames_[box.camera], box);
     source.curves = &tone_mapping_.curves[box.camera];
     source.has_falloff = tone_mapping_.has_falloff(box.camera);
     if (!source.has_falloff) return source;
@@ -149,8 +130,27 @@ class Kernel {
     return source;
   }
 
+  /// Where a block's BGR goes: into the composite, or to be made NV12 there while it is in the cache.
+  Picture bgr_target(const LutBlock& block) {
+    Picture target{PixelFormat::kBgr8, {}, block.width, block.height, sizeof tile_[0], tile_[0], nullptr};
+    if (out_.format == PixelFormat::kNv12) return target;
+    target.pitch_bytes = out_.pitch_bytes;
+    target.pixels = out_.pixels + block.y * out_.pitch_bytes + block.x * kChannels;
+    return target;
+  }
+
+  /// A block begins at an even pixel, so it has whole groups of chroma.
+  Picture nv12_target(const LutBlock& block) const {
+    Picture target = out_;
+    target.width_px = block.width;
+    target.height_px = block.height;
+    target.pixels += block.y * out_.pitch_bytes + block.x;
+    target.chroma += block.y / 2 * out_.pitch_bytes + block.x;
+    return target;
+  }
+
   void show_one(const Source& source, const uint32_t* entries, int count, uint8_t* out) {
-    sample(source, entries, count, first_);
+    source.frame.sample(entries, count, first_);
     tone_map(source, entries, count, first_);
     store(first_, count, out);
   }
@@ -159,8 +159,8 @@ class Kernel {
     const int count = span.count;
     const Source& a = sources_[span.first];
     const Source& b = sources_[span.second];
-    sample(a, entries, count, first_);
-    sample(b, entries + count, count, second_);
+    a.frame.sample(entries, count, first_);
+    b.frame.sample(entries + count, count, second_);
     if (statistics_) {
       OverlapBlock& overlap = overlaps_[span.first];
       overlap.pixels += span.count;
@@ -189,42 +189,64 @@ class Kernel {
   }
 
   const GeometricLut& lut_;
-  std::span<const cv::Mat> frames_;
+  std::span<const Picture> frames_;
   const ToneMapping& tone_mapping_;
-  cv::Mat& out_;
+  const Picture& out_;
   OverlapStatistics* statistics_;
   std::array<Source, 4> sources_;
   std::array<OverlapBlock, 4> overlaps_;
   Samples first_;
   Samples second_;
+  uint8_t tile_[kBlockSize][kBlockSize * kChannels];
 };
+static_assert(kBlockSize % 2 == 0);
 
 void require(bool condition, const char* what) {
   if (!condition) throw std::invalid_argument(std::string("synthesis: ") + what);
 }
 
-void check(const LutHeader& header, std::span<const cv::Mat> frames, const cv::Mat& out,
+bool fits(const Picture& picture, int width_px, int height_px) {
+  return picture.width_px == width_px && picture.height_px == height_px &&
+         colour::has_whole_groups(picture.format, width_px, height_px);
+}
+
+void check(const LutHeader& header, std::span<const Picture> frames, const Picture& out,
            const OverlapStatistics* statistics) {
   require(frames.size() == header.camera_count, "expected as many frames as the LUT has cameras");
   for (size_t i = 0; i < frames.size(); ++i)
-    require(
-        frames[i].empty() || (frames[i].type() == CV_8UC3 && frames[i].cols == header.image_size_px[i][0] &&
-                              frames[i].rows == header.image_size_px[i][1]),
-        "a frame is not BGR of the size that the LUT was made for");
-  require(out.type() == CV_8UC3 && out.cols == header.width && out.rows == header.height,
-          "the output is not BGR of the view's size");
+    require(frames[i].empty() || fits(frames[i], header.image_size_px[i][0], header.image_size_px[i][1]),
+            "a frame is not of the size that the LUT was made for, or has not the even size of its format");
+  require(!out.empty() && out.format != PixelFormat::kYuyv, "the output is neither BGR nor NV12");
+  require(out.width_px == header.width && out.height_px == header.height,
+          "the output is not of the view's size");
+  require(colour::has_whole_groups(out.format, out.width_px, out.height_px),
+          "NV12 needs a view of even width and height");
   require(!statistics || statistics->capacity >= header.overlap_count, "the statistics' memory is too small");
+}
+
+Picture checked_picture(const cv::Mat& bgr) {
+  require(bgr.empty() || bgr.type() == CV_8UC3, "a cv::Mat is not BGR");
+  return colour::bgr_picture(bgr);
 }
 
 }  // namespace
 
-void synthesize(const GeometricLut& lut, std::span<const cv::Mat> frames, const ToneMapping& tone_mapping,
-                cv::Mat& out, OverlapStatistics* statistics) {
+void synthesize(const GeometricLut& lut, std::span<const Picture> frames, const ToneMapping& tone_mapping,
+                const Picture& out, OverlapStatistics* statistics) {
   check(lut.header(), frames, out, statistics);
   if (statistics) statistics->clear();
   Kernel kernel(lut, frames, tone_mapping, out, statistics);
   uint32_t index = 0;
   for (const LutBlock& block : lut.blocks()) kernel.run(block, index++);
+}
+
+void synthesize(const GeometricLut& lut, std::span<const cv::Mat> frames, const ToneMapping& tone_mapping,
+                cv::Mat& out, OverlapStatistics* statistics) {
+  std::array<Picture, kMaxCameras> pictures;
+  require(frames.size() <= pictures.size(), "more frames than cameras there can be");
+  for (size_t i = 0; i < frames.size(); ++i) pictures[i] = checked_picture(frames[i]);
+  synthesize(lut, std::span<const Picture>(pictures.data(), frames.size()), tone_mapping,
+             checked_picture(out), statistics);
 }
 
 }  // namespace svchain::synthesis

@@ -4,15 +4,19 @@
 #include <array>
 #include <vector>
 
+#include "algorithms/colour/convert.h"
 #include "algorithms/geometry/rig.h"
 #include "framework/link/call.h"
 #include "links/capture/frame_source.h"
 #include "links/image.h"
 #include "links/pacing.h"
+#include "links/picture_parameters.h"
 
 namespace svchain {
 
 namespace {
+
+const std::vector<std::string> kTypes = {"bgr8", "nv12", "yuyv"};
 
 std::string size_text(int width, int height) {
   return std::to_string(width) + "x" + std::to_string(height);
@@ -31,8 +35,9 @@ class Capture final : public Link {
     d.help = "Takes frames from the four cameras: files, videos, devices, streams or the simulated world";
     for (const std::string& camera : geometry::kCameraNames) {
       d.outputs.push_back(
-          {.name = camera, .types = {"bgr8"}, .count = 1, .help = "frames of the " + camera + " camera"});
+          {.name = camera, .types = kTypes, .count = 1, .help = "frames of the " + camera + " camera"});
     }
+    d.parameters = picture_parameters("", kTypes);
     return d;
   }
 
@@ -55,11 +60,7 @@ class Capture final : public Link {
     const bool real_time = pace.real_time || facts.live;
     if (real_time) configuration.calls_without_room();
     pacing_ = Pacing(pace, least(facts.sets, pace.frames ? pace.frames : facts.usual_sets), real_time);
-    for (size_t c = 0; c < kCameras; ++c) {
-      const int port = static_cast<int>(c);
-      configuration.output(port, {Format::bgr8(facts.size_px[c].width, facts.size_px[c].height)});
-      if (facts.still) configuration.preloaded(port, 1);
-    }
+    set_formats(configuration, facts);
   }
 
   void start() override { source_->start(); }
@@ -81,6 +82,18 @@ class Capture final : public Link {
   }
 
  private:
+  void set_formats(Configuration& configuration, const SourceFacts& facts) {
+    const PictureKind kind = picture_kind(configuration, "");
+    for (size_t c = 0; c < kCameras; ++c) {
+      const int port = static_cast<int>(c);
+      const cv::Size size = facts.size_px[c];
+      const std::string what = "the picture of camera \"" + geometry::kCameraNames[c] + "\"";
+      configuration.output(port, {picture_format(configuration, "", kind, size.width, size.height, what)});
+      seen_[c] = kind.type == "bgr8" ? cv::Mat() : cv::Mat(size, CV_8UC3);
+      if (facts.still) configuration.preloaded(port, 1);
+    }
+  }
+
   static void check_rig(Configuration& configuration, const SourceFacts& facts) {
     const std::string path = configuration.setting("rig").text("value");
     if (path.empty()) return;
@@ -147,15 +160,25 @@ class Capture final : public Link {
     }
   }
 
+  /// Sources give BGR. Other formats are made of it here, as a camera's image processor does.
   std::optional<int64_t> read(Draft& draft, uint64_t set, int port) {
-    cv::Mat image = bgr_picture(draft);
-    return source_->read(set, static_cast<size_t>(port), image);
+    const auto camera = static_cast<size_t>(port);
+    cv::Mat& seen = seen_[camera];
+    if (seen.empty()) {
+      cv::Mat image = bgr_picture(draft);
+      return source_->read(set, camera, image);
+    }
+    const auto time_ns = source_->read(set, camera, seen);
+    if (time_ns) colour::yuv_from_bgr(colour::bgr_picture(seen), any_picture(draft));
+    return time_ns;
   }
 
   std::unique_ptr<FrameSource> source_;
   Pacing pacing_;
   std::vector<int> ports_;  // connected ones
   std::array<Frame, kCameras> stills_;
+  // In BGR, for other formats to be made of; empty where BGR is asked for.
+  std::array<cv::Mat, kCameras> seen_;
 };
 
 }  // namespace

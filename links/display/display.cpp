@@ -5,6 +5,8 @@
 #include "framework/link/call.h"
 #include "links/display/frame_writer.h"
 #include "links/display/pixel_hash.h"
+#include "links/picture_parameters.h"
+#include "links/shown_frame.h"
 
 namespace svchain {
 
@@ -16,13 +18,14 @@ class Display final : public Link {
     LinkDescription d;
     d.type = "display";
     d.help = "Delivers frames to a file, a folder, a window, or nowhere";
-    d.inputs = {{.name = "frames", .types = {"bgr8"}, .count = 1, .help = "pictures"}};
+    d.inputs = {{.name = "frames", .types = {"bgr8", "nv12", "yuyv"}, .count = 1, .help = "pictures"}};
     d.parameters = {boolean("sha256", false, "hashes all delivered pixels for the report")};
     d.delivers = true;
     return d;
   }
 
   void configure(Configuration& configuration) override {
+    check_colours(configuration, 0);
     output_ = configuration.setting("output").text("value");
     hash_.reset();
     if (configuration.parameters().flag("sha256")) hash_.emplace();
@@ -40,7 +43,7 @@ class Display final : public Link {
   }
 
   void process(Call& call) override {
-    if (hash_) hash_->add(call.input(0));
+    if (hash_) hash_->add(hashed_.of(call.input(0)));
     if (!writer_) return;
     try {
       writer_->write(call.take(0));
@@ -64,6 +67,7 @@ class Display final : public Link {
   std::string output_;
   std::unique_ptr<FrameWriter> writer_;
   std::optional<PixelHash> hash_;
+  ShownFrame hashed_;
 };
 
 }  // namespace

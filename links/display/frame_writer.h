@@ -1,8 +1,8 @@
 #pragma once
-// Where delivered frames (bgr8) go: a picture, a video, a folder of pictures, a window. Nothing half-written
-// is ever to be seen: files are written under another name in the same folder and get theirs in finish();
-// without it, or with no frame, nothing is left. Belongs to the display's core. write() and finish() throw
-// std::runtime_error that names the file.
+// Where delivered frames go, as BGR whatever they are: a picture, a video, a folder of pictures, a window.
+// Nothing half-written is ever to be seen: files are written under another name in the same folder and get
+// theirs in finish(); without it, or with no frame, nothing is left. Belongs to the display's core. write()
+// and finish() throw std::runtime_error that names the file.
 
 #include <filesystem>
 #include <memory>

@@ -22,11 +22,9 @@ PixelHash::~PixelHash() = default;
 PixelHash::PixelHash(PixelHash&&) noexcept = default;
 PixelHash& PixelHash::operator=(PixelHash&&) noexcept = default;
 
-void PixelHash::add(const Frame& frame) {
-  const Format& format = frame.format();
-  for (int y = 0; y < format.height_px; ++y) {
-    const auto row = frame.bytes().subspan(static_cast<size_t>(y) * static_cast<size_t>(format.pitch_bytes));
-    EVP_DigestUpdate(context_->evp, row.data(), static_cast<size_t>(format.width_px) * 3);
+void PixelHash::add(const cv::Mat& bgr) {
+  for (int y = 0; y < bgr.rows; ++y) {
+    EVP_DigestUpdate(context_->evp, bgr.ptr(y), static_cast<size_t>(bgr.cols) * bgr.elemSize());
   }
 }
 

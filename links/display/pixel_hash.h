@@ -2,9 +2,8 @@
 // SHA-256 over the pixels of pictures, one after the other, rows without padding. Moves only; one thread.
 
 #include <memory>
+#include <opencv2/core/mat.hpp>
 #include <string>
-
-#include "framework/buffer/frame.h"
 
 namespace svchain {
 
@@ -16,8 +15,7 @@ class PixelHash {
   PixelHash(PixelHash&&) noexcept;
   PixelHash& operator=(PixelHash&&) noexcept;
 
-  /// The first buffer of a frame, bgr8.
-  void add(const Frame& frame);
+  void add(const cv::Mat& bgr);
   /// 64 hexadecimal digits; of all so far.
   std::string text() const;
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "links/display/temporary_file.h"
-#include "links/image.h"
+#include "links/shown_frame.h"
 
 namespace svchain {
 
@@ -34,7 +34,7 @@ class LastFrameWriter final : public FrameWriter {
   void finish() override {
     if (!last_) return;
     std::vector<uchar> encoded;
-    write_png(file_, bgr_picture(last_), encoded);
+    write_png(file_, ShownFrame().of(last_), encoded);
     last_.release();
   }
 
@@ -51,7 +51,7 @@ class FolderWriter final : public FrameWriter {
     if (count_ == 0) make_folder();
     char name[32];
     std::snprintf(name, sizeof(name), "%06llu.png", static_cast<unsigned long long>(count_++));
-    write_png(folder_ / name, bgr_picture(frame), encoded_);
+    write_png(folder_ / name, shown_.of(frame), encoded_);
   }
 
  private:
@@ -64,6 +64,7 @@ class FolderWriter final : public FrameWriter {
   fs::path folder_;
   uint64_t count_ = 0;
   std::vector<uchar> encoded_;
+  ShownFrame shown_;
 };
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "links/display/temporary_file.h"
-#include "links/image.h"
 #include "links/quiet_opencv.h"
+#include "links/shown_frame.h"
 
 namespace svchain {
 
@@ -33,7 +33,7 @@ class VideoWriter final : public FrameWriter {
     if (!writer_.isOpened() && !open()) {
       throw std::runtime_error(temporary_.target().string() + " cannot be opened for writing");
     }
-    writer_.write(bgr_picture(frame));
+    writer_.write(shown_.of(frame));
     ++count_;
   }
 
@@ -55,6 +55,7 @@ class VideoWriter final : public FrameWriter {
   cv::Size size_;
   cv::VideoWriter writer_;
   uint64_t count_ = 0;
+  ShownFrame shown_;
 };
 
 }  // namespace

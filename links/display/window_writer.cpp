@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <opencv2/highgui.hpp>
 
-#include "links/image.h"
+#include "links/shown_frame.h"
 
 namespace svchain {
 
@@ -14,7 +14,7 @@ constexpr const char* kTitle = "svchain";
 class WindowWriter final : public FrameWriter {
  public:
   void write(Frame&& frame) override {
-    cv::imshow(kTitle, bgr_picture(frame));
+    cv::imshow(kTitle, picture_.of(frame));
     cv::waitKey(1);  // lets the window draw itself
     shown_ = true;
   }
@@ -24,6 +24,7 @@ class WindowWriter final : public FrameWriter {
 
  private:
   bool shown_ = false;
+  ShownFrame picture_;
 };
 
 }  // namespace

@@ -14,7 +14,7 @@
 namespace svchain {
 
 struct AlignmentSettings {
-  std::string source = "rig";  // rig, saved, charts or features
+  std::string source = "rig";  // rig, nominal, saved, charts or features
   geometry::Rig rig;           // the true one, or the nominal one to start from
   geometry::View view;
   synthesis::BlendShape shape;

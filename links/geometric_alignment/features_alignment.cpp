@@ -2,7 +2,6 @@
 
 #include "algorithms/calibration/calibration.h"
 #include "algorithms/geometry/angles.h"
-#include "algorithms/registration/alignment.h"
 
 namespace svchain {
 
@@ -12,22 +11,6 @@ namespace {
 constexpr double kEvenToSigma = 0.58;
 /// The lens is known and the camera rigid, so the matrices may hardly be anything but poses.
 constexpr double kStretch = 1e-4;
-
-registration::AlignmentTask task_of(const geometry::Rig& nominal, const std::array<cv::Mat, 4>& pictures) {
-  const auto tape = calibration::tape_tolerance(nominal.vehicle);
-  registration::AlignmentTask task;
-  task.frames = pictures;
-  task.vehicle = nominal.vehicle;
-  task.view.metres_per_px = geometry::default_metres_per_px(nominal.vehicle, task.view.size_px);
-  task.start = {kEvenToSigma * geometry::radians(tape.rotation_deg), kEvenToSigma * tape.position_m,
-                kStretch};
-  for (size_t i = 0; i < task.cameras.size(); ++i) {
-    const geometry::Camera& camera = nominal.cameras[i];
-    task.cameras[i] = {camera.lens, camera.image_size_px,
-                       geometry::ray_from_ground(camera.vehicle_from_camera)};
-  }
-  return task;
-}
 
 nlohmann::json accuracy_json(const registration::Alignment& found, double metres_per_px, bool with_times) {
   nlohmann::json json = {{"metres_per_px", metres_per_px}};
@@ -45,10 +28,27 @@ nlohmann::json accuracy_json(const registration::Alignment& found, double metres
 
 }  // namespace
 
+registration::AlignmentTask alignment_task(const geometry::Rig& nominal,
+                                           const std::array<cv::Mat, 4>& pictures) {
+  const auto tape = calibration::tape_tolerance(nominal.vehicle);
+  registration::AlignmentTask task;
+  task.frames = pictures;
+  task.vehicle = nominal.vehicle;
+  task.view.metres_per_px = geometry::default_metres_per_px(nominal.vehicle, task.view.size_px);
+  task.start = {kEvenToSigma * geometry::radians(tape.rotation_deg), kEvenToSigma * tape.position_m,
+                kStretch};
+  for (size_t i = 0; i < task.cameras.size(); ++i) {
+    const geometry::Camera& camera = nominal.cameras[i];
+    task.cameras[i] = {camera.lens, camera.image_size_px,
+                       geometry::ray_from_ground(camera.vehicle_from_camera)};
+  }
+  return task;
+}
+
 GroundAlignment align_by_features(const geometry::Rig& nominal, const std::array<cv::Mat, 4>& pictures,
                                   bool with_times) {
   GroundAlignment aligned{nominal, {}, {}, {}};
-  const registration::AlignmentTask task = task_of(nominal, pictures);
+  const registration::AlignmentTask task = alignment_task(nominal, pictures);
   const auto found = registration::align(task);
   if (!found) {
     for (const Fault& fault : found.error()) aligned.reasons.push_back(fault.file + ": " + fault.message);

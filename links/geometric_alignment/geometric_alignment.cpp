@@ -9,7 +9,8 @@
 #include "links/geometric_alignment/alignment_settings.h"
 #include "links/geometric_alignment/charts_alignment.h"
 #include "links/geometric_alignment/features_alignment.h"
-#include "links/image.h"
+#include "links/picture_parameters.h"
+#include "links/shown_frame.h"
 
 namespace svchain {
 
@@ -26,7 +27,7 @@ class GeometricAlignment final : public Link {
     d.type = "geometric_alignment";
     d.help = "makes the geometric and blending LUT, once, on the first frames, and again when told to";
     d.inputs = {{.name = "frames",
-                 .types = {"bgr8"},
+                 .types = {"bgr8", "nv12", "yuyv"},
                  .count = kCameraCount,
                  .help = "sets of four, front right rear left"}};
     d.outputs = {{.name = "lut",
@@ -40,6 +41,7 @@ class GeometricAlignment final : public Link {
   void configure(Configuration& configuration) override {
     settings_ = read_alignment_settings(configuration);
     check_sizes(configuration);
+    check_colours(configuration, kFrames);
     configuration.output(kLut, {Format::table("geometric_lut", lut_capacity())});
     real_times_ = !configuration.pace().virtual_clock;
     due_ = true;
@@ -136,10 +138,10 @@ class GeometricAlignment final : public Link {
 
   GroundAlignment alignment_of(const Frame& frames) const {
     const geometry::Rig& rig = settings_.rig;
-    if (settings_.source == "rig") return {rig, synthesis::rays_from_ground(rig), {}, {}};
+    if (!settings_.looks_at_frames()) return {rig, synthesis::rays_from_ground(rig), {}, {}};
     std::array<cv::Mat, kCameraCount> pictures;
     for (size_t c = 0; c < kCameraCount; ++c) {
-      pictures[c] = bgr_picture(frames, static_cast<int>(c));
+      pictures[c] = ShownFrame().of(frames, static_cast<int>(c));
       if (pictures[c].empty()) throw std::runtime_error(rig.cameras[c].name + ": no frame in the first set");
     }
     if (settings_.source == "charts") return align_by_charts(settings_, pictures, real_times_);

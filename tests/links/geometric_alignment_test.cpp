@@ -108,6 +108,34 @@ TEST_CASE("a rig that is named is what charts start from, and charts of a file a
   CHECK_THAT(misled.failure(), Contains("no LUT from source charts"));
 }
 
+TEST_CASE(
+    "source nominal takes the poses of a measuring tape as they are, or those of the rig that is named") {
+  AlignmentAlone tape(toy_car(), "nominal"), named(toy_car(), "nominal");
+  const geometry::View view = tape.view();
+  const auto as_bytes = [](const OwnedLut& lut) {
+    return std::vector<std::byte>(lut.bytes().begin(), lut.bytes().end());
+  };
+  CHECK(first_lut(tape) == as_bytes(OwnedLut(scene::nominal_rig(toy_car().scene), view)));
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "rig.json") << geometry::rig_text(toy_car().scene.rig);
+  named.setting("rig", (folder.path() / "rig.json").string());
+  CHECK(first_lut(named) == as_bytes(OwnedLut(toy_car().scene.rig, view)));
+}
+
+TEST_CASE("the blend's width and shape are those of the parameters") {
+  using synthesis::BlendCurve;
+  for (const auto& [name, curve] : {std::pair("smooth", BlendCurve::kSmooth),
+                                    {"linear", BlendCurve::kLinear},
+                                    {"binary", BlendCurve::kBinary}}) {
+    CAPTURE(name);
+    AlignmentAlone alignment(toy_car(), "rig");
+    alignment.parameter("blend_shape", name);
+    alignment.parameter("blend_deg", 40);
+    const OwnedLut expected(toy_car().scene.rig, alignment.view(), {40, curve});
+    CHECK(first_lut(alignment) == std::vector<std::byte>(expected.bytes().begin(), expected.bytes().end()));
+  }
+}
+
 TEST_CASE("a LUT is made once, and stored; the stored one is handed on as it was made") {
   const TemporaryFolder folder;
   const fs::path file = folder.path() / "car.lut";
@@ -212,8 +240,11 @@ TEST_CASE("parameters that are missing, useless or wrong are faults before anyth
   CHECK_THAT(faults_with({{"source", "saved"}}), Contains("lut") && Contains("missing"));
   CHECK_THAT(faults_with({{"lut", "car.lut"}}), Contains("goes with source saved, but the source is rig"));
   CHECK_THAT(faults_with({{"charts", "garage"}}), Contains("goes with source charts"));
-  CHECK_THAT(faults_with({{"source", "saved"}, {"lut", "no.lut"}, {"store", "x.lut"}}),
-             Contains("no.lut") && Contains("No such file") && Contains("goes with source rig, charts or"));
+  CHECK_THAT(
+      faults_with({{"source", "saved"}, {"lut", "no.lut"}, {"store", "x.lut"}}),
+      Contains("no.lut") && Contains("No such file") && Contains("goes with source rig, nominal, charts or"));
+  CHECK_THAT(faults_with({{"source", "saved"}, {"lut", "no.lut"}, {"blend_shape", "binary"}}),
+             Contains("blend_shape") && Contains("goes with source rig, nominal, charts or features"));
   CHECK_THAT(faults_with({{"source", "charts"}, {"charts", "garagr"}}),
              Contains("no such charts or file") && Contains("did you mean \"garage\"?"));
   CHECK_THAT(faults_with({{"store", "/no/such/folder/car.lut"}}), Contains("/no/such/folder does not exist"));

@@ -207,7 +207,8 @@ TEST_CASE("the same frames are aligned the same way twice, and every stage is ti
                                            "hold out"});
 }
 
-TEST_CASE("an overlap that shows nothing is named, with what was found there") {
+TEST_CASE(
+    "an overlap that shows nothing is named, with what was found there; by any matches the others align") {
   auto task = task_from(recorded().scene.rig, 0.02, 1);
   task.frames[1] = cv::Mat(task.frames[1].size(), CV_8UC3, cv::Scalar(90, 90, 90));
   const auto aligned = align(task);
@@ -216,6 +217,13 @@ TEST_CASE("an overlap that shows nothing is named, with what was found there") {
   CHECK(aligned.error()[0].text().find("overlap front-right: error: 0 features agree, expected at least 8") ==
         0);
   CHECK(aligned.error()[1].text().find("overlap right-rear: error: 0 features agree") == 0);
+
+  const auto as_far_as_it_goes = align_by_any_matches(task);
+  REQUIRE(as_far_as_it_goes);
+  CHECK(as_far_as_it_goes->overlaps[0].matches.empty());
+  CHECK(as_far_as_it_goes->overlaps[1].matches.empty());
+  CHECK(as_far_as_it_goes->overlaps[2].inliers() >= kFewestMatches);
+  CHECK(as_far_as_it_goes->overlaps[3].inliers() >= kFewestMatches);
 }
 
 TEST_CASE("a wrong frame, a singular matrix and no uncertainty are told all at once") {

@@ -50,20 +50,48 @@ TEST_CASE("pairs of neighbours are named clockwise") {
   }
 }
 
-TEST_CASE("the fall-off is as wide as asked for and smooth") {
-  const auto at = [](double angle_deg, double width_deg) {
+TEST_CASE("the fall-off is as wide as asked for, rises steadily, and is the same from both sides") {
+  const auto at = [](double angle_deg, const BlendShape& shape) {
     const double angle = angle_deg * M_PI / 180;  // from straight ahead towards the left
-    return share_of(kLeft, {2.4 + 3 * std::cos(angle), 0.95 + 3 * std::sin(angle)}, {width_deg});
+    return share_of(kLeft, {2.4 + 3 * std::cos(angle), 0.95 + 3 * std::sin(angle)}, shape);
   };
-  for (const double width : {20.0, 60.0, 90.0}) {
-    CHECK(at(45 - width / 2 - 1e-6, width) == 0);
-    CHECK(at(45 + width / 2 + 1e-6, width) == 1);
-    CHECK(at(45 - width / 4, width) == Approx(0.15625));
-    for (double angle = 0; angle < 90; ++angle) {
-      const double step = at(angle + 1, width) - at(angle, width);
-      CHECK(step >= 0);
-      CHECK(step <= 1.5 / width + 1e-9);
+  struct {
+    BlendCurve curve;
+    double at_a_quarter, steepest;
+  } const curves[] = {{BlendCurve::kSmooth, 0.15625, 1.5},
+                      {BlendCurve::kLinear, 0.25, 1},
+                      {BlendCurve::kBinary, 0.15625, 1.5}};
+  for (const auto& [curve, at_a_quarter, steepest] : curves) {
+    for (const double width : {20.0, 60.0, 90.0}) {
+      CAPTURE(width, static_cast<int>(curve));
+      const BlendShape shape{width, curve};
+      CHECK(at(45 - width / 2 - 1e-6, shape) == 0);
+      CHECK(at(45 + width / 2 + 1e-6, shape) == 1);
+      CHECK(at(45 - width / 4, shape) == Approx(at_a_quarter));
+      for (double angle = 0; angle < 90; ++angle) {
+        const double step = at(angle + 1, shape) - at(angle, shape);
+        CHECK(step >= 0);
+        CHECK(step <= steepest / width + 1e-9);
+        CHECK(at(angle, shape) == Approx(1 - at(90 - angle, shape)).margin(1e-9));
+      }
     }
+  }
+}
+
+TEST_CASE("a binary curve shows the camera that has more of a pixel, the others show the weight as it is") {
+  for (int weight = 0; weight <= 255; ++weight) {
+    CHECK(shown_weight({60, BlendCurve::kBinary}, weight) == (weight >= 128 ? 255 : 0));
+    CHECK(shown_weight({60, BlendCurve::kSmooth}, weight) == weight);
+    CHECK(shown_weight({60, BlendCurve::kLinear}, weight) == weight);
+  }
+}
+
+TEST_CASE("in the middle between two cameras a binary curve shows the one that has faded less") {
+  const BlendShape binary{60, BlendCurve::kBinary};
+  for (double fade = 0.05; fade < 1; fade += 0.05) {
+    CHECK(shown_weight(binary, first_weight(binary, 0.5, fade, 1)) == 0);
+    CHECK(shown_weight(binary, first_weight(binary, 0.5, 1, fade)) == 255);
+    CHECK(shown_weight(binary, first_weight(binary, 1, fade, 1)) == (fade > 0.501 ? 255 : 0));
   }
 }
 

@@ -8,6 +8,7 @@
 #include "tests/catch.h"
 #include "tests/synthesis/decoded_lut.h"
 #include "tests/synthesis/four_cameras.h"
+#include "tests/test_data.h"
 
 using namespace svchain;
 using namespace svchain::synthesis;
@@ -21,6 +22,12 @@ geometry::Rig with_narrow_camera(geometry::Rig rig, int camera, double max_angle
   rig.cameras[camera].lens = std::make_shared<geometry::KannalaBrandt>(lens.focal_px(), lens.centre_px(),
                                                                        lens.k(), max_angle_deg * M_PI / 180);
   return rig;
+}
+
+geometry::Rig shipped_rig(const std::string& name) {
+  const auto rig = geometry::read_rig(project_folder() / "configs" / "rigs" / (name + ".json"));
+  REQUIRE(rig);
+  return *rig;
 }
 
 int largest_jump(const DecodedLut& lut, const geometry::Rig& rig, const geometry::View& view) {
@@ -187,6 +194,36 @@ TEST_CASE("a binary blend shows one camera everywhere") {
   const OwnedLut owned(rig, view_of(rig, {220, 270}), {0});
   CHECK(owned.lut().header().overlap_count == 0);
   CHECK(owned.lut().footprint().blend_blocks == 0);
+}
+
+TEST_CASE("smooth and linear weights leave no seam line in a LUT of the shipped rig") {
+  const auto rig = shipped_rig("car");
+  const auto view = view_of(rig, {440, 540});
+  for (const auto curve : {BlendCurve::kSmooth, BlendCurve::kLinear}) {
+    CAPTURE(static_cast<int>(curve));
+    CHECK(largest_jump(decode(OwnedLut(rig, view, {60, curve}).lut()), rig, view) <= 12);
+  }
+  CHECK(largest_jump(decode(OwnedLut(rig, view, {60, BlendCurve::kBinary}).lut()), rig, view) == 255);
+}
+
+TEST_CASE("a binary blend with a width shows one camera everywhere, and samples both where smooth does") {
+  const auto rig = shipped_rig("car");
+  const auto view = view_of(rig, {440, 540});
+  const OwnedLut smooth(rig, view), binary(rig, view, {60, BlendCurve::kBinary});
+  CHECK(binary.lut().header().overlap_count > 20);
+  CHECK(binary.lut().header().overlap_count == smooth.lut().header().overlap_count);
+  const DecodedLut of_smooth = decode(smooth.lut()), of_binary = decode(binary.lut());
+  size_t blends = 0, wrong = 0;
+  for (size_t i = 0; i < of_binary.pixels.size(); ++i) {
+    const DecodedPixel &shown = of_binary.pixels[i], &mixed = of_smooth.pixels[i];
+    wrong += shown.kind != mixed.kind;
+    if (shown.kind != SpanKind::kBlend) continue;
+    ++blends;
+    wrong += shown.weight != (mixed.weight > 127 ? 255 : 0);
+    wrong += shown.taps[0].camera != mixed.taps[0].camera || shown.taps[0].px() != mixed.taps[0].px();
+  }
+  CHECK(wrong == 0);
+  CHECK(blends > 1000);
 }
 
 TEST_CASE("a LUT reads the same at another address") {

@@ -1,0 +1,16 @@
+#include "links/shown_frame.h"
+
+#include "algorithms/colour/convert.h"
+#include "links/image.h"
+
+namespace svchain {
+
+cv::Mat ShownFrame::of(const Frame& frame, int buffer) {
+  const colour::Picture picture = any_picture(frame, buffer);
+  if (picture.format == colour::PixelFormat::kBgr8) return bgr_picture(frame, buffer);
+  converted_.create(picture.height_px, picture.width_px, CV_8UC3);
+  colour::bgr_from_yuv(picture, colour::bgr_picture(converted_));
+  return converted_;
+}
+
+}  // namespace svchain
