@@ -59,6 +59,10 @@ Outcome svchain_program(const Arguments& arguments) {
 
 Outcome svchain_interrupted(const Arguments& arguments, int signal,
                             const std::function<bool(const std::string&)>& reached) {
+  return svchain_signalled(arguments, {{signal, reached}});
+}
+
+Outcome svchain_signalled(const Arguments& arguments, const std::vector<TimedSignal>& signals) {
   const TemporaryFolder folder;
   const auto out = folder.path() / "out";
   const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
@@ -66,14 +70,13 @@ Outcome svchain_interrupted(const Arguments& arguments, int signal,
   unlockpt(terminal);
   const pid_t pid = spawn(arguments, out, ptsname(terminal));
   std::string said;
-  bool sent = false;
+  size_t sent = 0;
   char bytes[4096];
   for (ssize_t count = 0;
        (count = read(terminal, bytes, sizeof bytes)) > 0;) {  // fails when the other end is closed
     said.append(bytes, static_cast<size_t>(count));
-    if (sent || !reached(said)) continue;
-    kill(pid, signal);
-    sent = true;
+    if (sent == signals.size() || !signals[sent].reached(said)) continue;
+    kill(pid, signals[sent++].signal);
   }
   close(terminal);
   const int status = status_of(pid);

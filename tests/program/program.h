@@ -19,8 +19,15 @@ using Arguments = std::vector<std::string>;
 /// Runs it to its end.
 Outcome svchain_program(const Arguments& arguments);
 
-/// Runs it with stderr on a terminal, calls `reached` with what it has said there so far, and sends the
-/// signal once that is true. `err` is what the terminal showed.
+/// A signal to send once `reached` is true of what the program has said so far.
+struct TimedSignal {
+  int signal = 0;
+  std::function<bool(const std::string&)> reached;
+};
+
+/// Runs it with stderr on a terminal, and sends one signal after the other. `err` is what the terminal
+/// showed.
+Outcome svchain_signalled(const Arguments& arguments, const std::vector<TimedSignal>& signals);
 Outcome svchain_interrupted(const Arguments& arguments, int signal,
                             const std::function<bool(const std::string&)>& reached);
 

@@ -15,26 +15,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The shipped car park seen by cameras of 640 x 360 px, on coarser ground, by cameras that are all alike:
-/// its file.
-fs::path small_scene_file(const fs::path& folder) {
-  Json rig = small_rig();
-  for (auto& [name, camera] : rig["cameras"].items()) {
-    camera["image_size_px"] = {640, 360};
-    camera["lens"]["focal_px"] = {165, 165};
-    camera["lens"]["centre_px"] = {319.5, 179.5};
-  }
-  write_json(folder / "rig.json", rig);
-  Json scene = Json::parse(read_text(project_folder() / "configs" / "scenes" / "parking.json"));
-  scene.erase("cameras");
-  scene.erase("$schema");
-  scene["rig"] = "rig.json";
-  scene["ground"]["metres_per_texel"] = 0.01;
-  scene["ground"]["half_extent_m"] = 6.4;
-  write_json(folder / "scene.json", scene);
-  return folder / "scene.json";
-}
-
 Outcome simulated(const fs::path& scene, const fs::path& output, const Arguments& more = {}) {
   Arguments arguments = {"simulate", "--scene", scene, "--output", output};
   arguments.insert(arguments.end(), more.begin(), more.end());

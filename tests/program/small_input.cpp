@@ -64,6 +64,24 @@ void write_numbered(const fs::path& folder, int frames) {
   }
 }
 
+fs::path small_scene_file(const fs::path& folder) {
+  Json rig = small_rig();
+  for (auto& [name, camera] : rig["cameras"].items()) {
+    camera["image_size_px"] = {640, 360};
+    camera["lens"]["focal_px"] = {165, 165};
+    camera["lens"]["centre_px"] = {319.5, 179.5};
+  }
+  write_json(folder / "rig.json", rig);
+  Json scene = Json::parse(read_text(project_folder() / "configs" / "scenes" / "parking.json"));
+  scene.erase("cameras");
+  scene.erase("$schema");
+  scene["rig"] = "rig.json";
+  scene["ground"]["metres_per_texel"] = 0.01;
+  scene["ground"]["half_extent_m"] = 6.4;
+  write_json(folder / "scene.json", scene);
+  return folder / "scene.json";
+}
+
 Arguments small_run(const std::string& use_case, const fs::path& rig, const fs::path& input,
                     const Arguments& more) {
   Arguments arguments = {"--usecase", use_case, "--rig", rig,

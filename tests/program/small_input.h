@@ -31,6 +31,10 @@ cv::Mat small_image(size_t camera, int frame = 0);
 void write_stills(const std::filesystem::path& folder);
 void write_numbered(const std::filesystem::path& folder, int frames);
 
+/// The shipped car park on coarser ground, seen by cameras of 640 x 360 px that are all alike: its file, with
+/// its rig beside it.
+std::filesystem::path small_scene_file(const std::filesystem::path& folder);
+
 /// "--usecase USECASE --rig ... --input ..." and a small view.
 Arguments small_run(const std::string& use_case, const std::filesystem::path& rig,
                     const std::filesystem::path& input, const Arguments& more = {});

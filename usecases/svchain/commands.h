@@ -71,6 +71,15 @@ struct CalibrateOptions {
 };
 int calibrate(const CalibrateOptions& options);
 
+/// The output is a folder, and a fault where it is left out.
+struct CompareOptions {
+  UseCaseRequest use_case;
+  std::optional<std::string> frames;
+  std::optional<std::string> align;   // "charts", "features" or a rig file
+  std::optional<std::string> charts;  // NAME or FILE
+};
+int compare(const CompareOptions& options);
+
 struct ChartsOptions {
   std::optional<std::filesystem::path> charts;  // left out: the usual chart
   std::filesystem::path output;                 // .pdf or .png

@@ -21,17 +21,55 @@ constexpr int kStandstillAfter = 5s / kTick;
 
 }  // namespace
 
-HostLoop::HostLoop() : signals_(io_, SIGINT, SIGTERM), timer_(io_), progress_(isatty(STDERR_FILENO) == 1) {
-  await_signal();
+HostLoop::HostLoop()
+    : end_signals_(io_, SIGINT, SIGTERM),
+      recalibration_signal_(io_, SIGUSR1),
+      timer_(io_),
+      progress_(isatty(STDERR_FILENO) == 1) {
+  await_end_signal();
+  await_recalibration_signal();
 }
 
-void HostLoop::await_signal() {
-  signals_.async_wait([this](const boost::system::error_code& error, int) {
+void HostLoop::await_end_signal() {
+  end_signals_.async_wait([this](const boost::system::error_code& error, int) {
     if (error) return;
     if (ending_) _exit(kInterrupted);
     ending_ = true;
     spdlog::info("interrupted: what was captured is delivered, then the run ends (once more: at once)");
-    await_signal();
+    await_end_signal();
+  });
+}
+
+void HostLoop::await_recalibration_signal() {
+  recalibration_signal_.async_wait([this](const boost::system::error_code& error, int) {
+    if (error) return;
+    if (chain_) recalibrate();
+    await_recalibration_signal();
+  });
+}
+
+/// Of every link that aligns the geometry.
+void HostLoop::recalibrate() {
+  for (const PlannedLink& link : chain_->plan().links) {
+    if (link.entry.type != "geometric_alignment") continue;
+    try {
+      questions_.push_back({link.entry.name, chain_->control(link.entry.name, "recalibrate", {})});
+    } catch (const std::exception& error) {  // the chain is ending
+      spdlog::warn("{}: not recalibrated: {}", link.entry.name, error.what());
+    }
+  }
+}
+
+void HostLoop::log_answers() {
+  std::erase_if(questions_, [](Question& question) {
+    if (question.answer.wait_for(0s) != std::future_status::ready) return false;
+    try {
+      const nlohmann::json answer = question.answer.get();
+      spdlog::info("{}: recalibrates {}", question.link, answer.value("recalibrate", answer.dump()));
+    } catch (const std::exception& error) {
+      spdlog::warn("{}: not recalibrated: {}", question.link, error.what());
+    }
+    return true;
   });
 }
 
@@ -44,14 +82,26 @@ void HostLoop::attend(Chain& chain, bool watched, bool lossless) {
   watched_ = watched;
   lossless_ = lossless;
   started_at_ = std::chrono::steady_clock::now();
+  io_.restart();
   tick();
   io_.run();
+  timer_.cancel();
+  log_answers();
+  questions_.clear();  // who has not been asked by now never will be
+  chain_ = nullptr;
   if (progress_) std::fputs("\r\033[K", stderr);
+}
+
+bool HostLoop::interrupted() {
+  io_.restart();
+  io_.poll();
+  return ending_;
 }
 
 void HostLoop::tick() {
   if (ending_)
     chain_->request_end();  // again and again: the first may have come before the chain was running
+  log_answers();
   if (watched_) watch();
   if (progress_) show_progress();
   timer_.expires_after(kTick);

@@ -1,13 +1,18 @@
 #pragma once
-// The host's event loop while a chain runs: Ctrl-C and SIGTERM, a line of progress on a terminal, and a watch
-// over chains in which nothing moves any more.
+// The host's event loop while a chain runs: Ctrl-C and SIGTERM end it, SIGUSR1 has the geometry aligned anew;
+// a line of progress on a terminal, and a watch over chains in which nothing moves any more.
 //
-// Lives longer than the chain it attends. attend() belongs to one thread; finish() any may call.
+// Attends one chain after the other, and lives longer than they do. attend() belongs to one thread; finish()
+// any may call.
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
+#include <future>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "framework/chain/chain.h"
 
@@ -23,19 +28,31 @@ class HostLoop {
   /// `lossless`: a source that stays silent is a fault, and not just a camera that takes its time.
   void attend(Chain& chain, bool watched, bool lossless);
   void finish();
+  /// A signal has asked for the end, be it since the last chain. Not while attending.
+  bool interrupted();
 
  private:
-  void await_signal();
+  /// A command on its way to a link.
+  struct Question {
+    std::string link;
+    std::future<nlohmann::json> answer;
+  };
+
+  void await_end_signal();
+  void await_recalibration_signal();
+  void recalibrate();
+  void log_answers();
   void tick();
   void watch();
   void show_progress();
 
   boost::asio::io_context io_;
-  boost::asio::signal_set signals_;
+  boost::asio::signal_set end_signals_, recalibration_signal_;
   boost::asio::steady_timer timer_;
   Chain* chain_ = nullptr;
   bool watched_ = false, lossless_ = false;
   bool ending_ = false;
+  std::vector<Question> questions_;
   bool progress_ = false;
 
   std::chrono::steady_clock::time_point started_at_;

@@ -86,7 +86,9 @@ void add_graph(CLI::App& app, Command& command) {
 void add_schema(CLI::App& app, Command& command) {
   auto* schema_app = app.add_subcommand("schema", "the JSON Schema of a file format");
   const auto kind = std::make_shared<std::string>();
-  schema_app->add_option("KIND", *kind, "usecase, rig, charts, corners, calibration, soc, scene or report")
+  schema_app
+      ->add_option("KIND", *kind,
+                   "usecase, rig, charts, corners, calibration, comparison, soc, scene or report")
       ->required();
   schema_app->callback([kind, &command] { command = [kind] { return schema(*kind); }; });
 }
@@ -168,6 +170,31 @@ void add_calibrate(CLI::App& app, Command& command) {
   calibrate_app->callback([options, &command] { command = [options] { return calibrate(*options); }; });
 }
 
+void add_compare(CLI::App& app, Command& command) {
+  auto* compare_app = app.add_subcommand(
+      "compare", "the composite without any alignment, with the geometric one, and with both, in figures");
+  const auto options = std::make_shared<CompareOptions>();
+  const auto add = [&](const char* name, auto& value, const char* type, const char* help) {
+    return compare_app->add_option(name, value, help)->type_name(type);
+  };
+  UseCaseRequest& use_case = options->use_case;
+  use_case.use_case = "2dsv_2dsp";
+  add("--usecase", use_case.use_case, "NAME|FILE", "what to run (2dsv_2dsp)");
+  add("--input", use_case.input, "SOURCE", "as for a run, but no live one");
+  add("--rig", use_case.rig, "NOMINAL.json", "the rig as far as it is known");
+  add("--align", options->align, "HOW",
+      "charts, features, or a rig file that is calibrated already; charts where there are some, else "
+      "features");
+  add("--charts", options->charts, "FILE|NAME", "what lies on the ground; a simulated scene brings its own");
+  add("--frames", options->frames, "N", "frames of each camera to take in each run (30)");
+  add("--soc", use_case.soc, "NAME|FILE", "as for a run");
+  add("--set", use_case.sets, "LINK.PARAM=VALUE", "as for a run")->allow_extra_args(false);
+  add("--plugin", use_case.plugins, "FILE.so", "as for a run")->allow_extra_args(false);
+  add("--output", use_case.output, "DIR",
+      "the folder to make: none.png, geometric.png, both.png, figures.json");
+  compare_app->callback([options, &command] { command = [options] { return compare(*options); }; });
+}
+
 void add_charts(CLI::App& app, Command& command) {
   auto* charts_app = app.add_subcommand("charts", "draws charts in true size, to be printed");
   const auto options = std::make_shared<ChartsOptions>();
@@ -242,6 +269,7 @@ int obey(int argc, char** argv) {
   add_export(app, command);
   add_simulate(app, command);
   add_calibrate(app, command);
+  add_compare(app, command);
   add_charts(app, command);
   app.require_subcommand(0, 1);
   for (CLI::App* sub : app.get_subcommands({})) sub->allow_extras();
