@@ -39,8 +39,7 @@ Moments moments(const BlockSamples& samples, int channel, double pixels) {
 }
 
 void add_part(Brightness& brightness, double share, double level) {
-  const double log_level = std::log(level);
-  brightness.parts[brightness.count++] = {share, log_level, place_of(log_level)};
+  brightness.parts[brightness.count++] = {share, std::log(level)};
 }
 
 /// False where what is left beside the clipped pixels is too dark.
@@ -76,26 +75,32 @@ double sigma_of(const Moments& a, const Moments& b) {
 
 }  // namespace
 
-double Brightness::log_mean(const ToneCurves::Knots& knots, ToneCurves::Knots* by_knots) const {
-  if (by_knots) by_knots->fill(0);
+double Brightness::log_mean(const ToneCurves::Knots& knots, double log_factor,
+                            Derivatives* derivatives) const {
+  static const double kBrightest = std::log(255);
+  if (derivatives) *derivatives = {};
   double mean = 0;
   for (int i = 0; i < count; ++i) {
-    const Part& part = parts[i];
-    const double level = part.share * std::exp(part.log_level + log_gain_at(knots, part.place));
+    const double log_level = std::min(kBrightest, parts[i].log_level + log_factor);
+    const KnotPlace place = place_of(log_level);
+    const double level = parts[i].share * std::exp(log_level + log_gain_at(knots, place));
     mean += level;
-    if (!by_knots) continue;
-    (*by_knots)[part.place.knot] += level * (1 - part.place.t);
-    (*by_knots)[part.place.knot + 1] += level * part.place.t;
+    if (!derivatives) continue;
+    derivatives->by_knots[place.knot] += level * (1 - place.t);
+    derivatives->by_knots[place.knot + 1] += level * place.t;
+    if (log_level < kBrightest) derivatives->by_log_factor += level * (1 + slope_at(knots, place));
   }
-  if (by_knots)
-    for (double& derivative : *by_knots) derivative /= mean;
+  if (derivatives) {
+    for (double& derivative : derivatives->by_knots) derivative /= mean;
+    derivatives->by_log_factor /= mean;
+  }
   return std::log(mean);
 }
 
 double SharedBlock::log_level(const ToneCurves& curves, size_t side, size_t channel) const {
   const auto& [p1, p2] = curves.log_falloff[cameras[side]];
-  return brightness[side][channel].log_mean(curves.log_gain[cameras[side]][channel]) +
-         (p1 + p2 * q2[side]) * q2[side];
+  return brightness[side][channel].log_mean(curves.log_gain[cameras[side]][channel],
+                                            (p1 + p2 * q2[side]) * q2[side]);
 }
 
 Evidence::Evidence(size_t most_blocks) {

@@ -20,13 +20,19 @@ struct Brightness {
   struct Part {
     double share = 0;      // of the pixels
     double log_level = 0;  // ln of grey levels
-    KnotPlace place;
+  };
+  /// How ln of the mean changes.
+  struct Derivatives {
+    ToneCurves::Knots by_knots;
+    double by_log_factor;
   };
   std::array<Part, 3> parts;
   int count = 0;
 
-  /// ln of the mean after the curve, and how it changes with the curve's knots, where these are wanted.
-  double log_mean(const ToneCurves::Knots& knots, ToneCurves::Knots* by_knots = nullptr) const;
+  /// ln of the mean after levels were multiplied by a factor, clamped to 255 and sent through the curve: as
+  /// synthesis does it.
+  double log_mean(const ToneCurves::Knots& knots, double log_factor,
+                  Derivatives* derivatives = nullptr) const;
 };
 
 struct SharedBlock {

@@ -130,15 +130,15 @@ JointFit::Row JointFit::row_of(const SharedBlock& block, const ToneCurves& curve
   for (size_t side = 0; side < 2; ++side) {
     const size_t camera = block.cameras[side];
     const double sign = side == 0 ? 1 : -1, q2 = block.q2[side];
-    ToneCurves::Knots by_knots;
-    const double log_mean =
-        block.brightness[side][channel].log_mean(curves.log_gain[camera][channel], &by_knots);
     const auto& [p1, p2] = curves.log_falloff[camera];
-    row.difference += sign * (log_mean + (p1 + p2 * q2) * q2);
+    Brightness::Derivatives derivatives;
+    row.difference += sign * block.brightness[side][channel].log_mean(curves.log_gain[camera][channel],
+                                                                      (p1 + p2 * q2) * q2, &derivatives);
     for (int k = 0; k < kKnots; ++k)
-      if (by_knots[k] != 0) row.add(knot_index(camera, channel, k), sign * by_knots[k]);
-    row.add(falloff_index(camera), sign * q2);
-    row.add(falloff_index(camera) + 1, sign * q2 * q2);
+      if (derivatives.by_knots[k] != 0)
+        row.add(knot_index(camera, channel, k), sign * derivatives.by_knots[k]);
+    row.add(falloff_index(camera), sign * derivatives.by_log_factor * q2);
+    row.add(falloff_index(camera) + 1, sign * derivatives.by_log_factor * q2 * q2);
   }
   return row;
 }

@@ -17,7 +17,7 @@ constexpr int kFirstSteps = 8;
 /// changed by far more: what is below is noise, and left to the smooth fit.
 constexpr double kChange = 0.03;
 constexpr double kCatchUp = 0.6;  // of a large change, with every frame
-constexpr double kReturn = 0.02;  // to the common level, relative to the smoothing
+constexpr double kReturn = 0.1;   // to the common level, relative to the smoothing
 const double kLargestLogGain = std::log(4.0);
 
 AlignmentSettings checked(const AlignmentSettings& settings) {
@@ -57,6 +57,7 @@ PhotometricAlignment::PhotometricAlignment(const AlignmentSettings& settings)
 const synthesis::ToneMapping& PhotometricAlignment::update(const synthesis::OverlapStatistics& statistics) {
   ++frames_;
   evidence_.take(statistics, settings_.cameras);
+  contradicting_ = 0;
   if (evidence_.blocks().empty()) {
     ++frames_held_;
     return tone_mapping_;
@@ -66,6 +67,7 @@ const synthesis::ToneMapping& PhotometricAlignment::update(const synthesis::Over
   } else {
     start();
   }
+  contradicting_ = fit_.contradicting();
   for_each_knot(curves_, settings_.cameras,
                 [](double& s) { s = std::clamp(s, -kLargestLogGain, kLargestLogGain); });
   tone_mapping_ = photometric::tone_mapping(curves_);
@@ -100,7 +102,8 @@ void PhotometricAlignment::shift_changed_cameras() {
   for (size_t i = 0; i < settings_.cameras; ++i) {
     double change = 0;
     for (const double shift : shifts[i]) change = std::max(change, std::abs(shift));
-    const double share = kCatchUp * change * change / (change * change + kChange * kChange);
+    const double large = std::pow(change / kChange, 4);
+    const double share = kCatchUp * large / (1 + large);
     for (size_t c = 0; c < kChannels; ++c)
       for (double& s : curves_.log_gain[i][c]) s += share * shifts[i][c];
   }
@@ -119,7 +122,7 @@ void PhotometricAlignment::return_to_common_level() {
 
 Rejections PhotometricAlignment::rejections() const {
   Rejections rejections = evidence_.rejections();
-  rejections.contradicting += fit_.contradicting();
+  rejections.contradicting += contradicting_;
   return rejections;
 }
 

@@ -17,10 +17,10 @@
 namespace svchain::photometric {
 
 struct AlignmentSettings {
-  size_t cameras = 4;      // 1 to 8
-  size_t most_blocks = 0;  // entries that statistics may have
-  double smoothing = 0.1;  // share of the way to a new estimate that is gone with every frame, above 0 to 1
-  bool falloff = true;     // radial falloff is undone where the overlaps show it
+  size_t cameras = 4;       // 1 to 8
+  size_t most_blocks = 0;   // entries that statistics may have
+  double smoothing = 0.02;  // share of the way to a new estimate that is gone with every frame, above 0 to 1
+  bool falloff = true;      // radial falloff is undone where the overlaps show it
 };
 
 /// What one overlap showed in the last frame: means over its blocks and channels, grey levels.
@@ -43,7 +43,7 @@ class PhotometricAlignment {
   const ToneCurves& curves() const { return curves_; }
 
   /// Of the last frame.
-  size_t blocks_used() const { return evidence_.blocks().size() - fit_.contradicting(); }
+  size_t blocks_used() const { return evidence_.blocks().size() - contradicting_; }
   Rejections rejections() const;
   std::vector<OverlapDifference> differences() const;
   /// Frames so far, and how many of them told nothing, so that the last curves stayed.
@@ -61,6 +61,7 @@ class PhotometricAlignment {
   JointFit fit_;
   std::vector<double> scratch_;
   bool started_ = false;
+  size_t contradicting_ = 0;  // in the last frame, by the fit
   uint64_t frames_ = 0, frames_held_ = 0;
   ToneCurves curves_;
   synthesis::ToneMapping tone_mapping_;

@@ -14,6 +14,15 @@ constexpr double kLeastFalloff = 0.01;
 constexpr double kFarthestQ2 = 1.2;
 constexpr int kFalloffSteps = 24;
 
+const std::array<double, kKnots>& log_knot_levels() {
+  static const auto levels = [] {
+    std::array<double, kKnots> logs;
+    for (int k = 0; k < kKnots; ++k) logs[k] = std::log(kKnotLevels[k]);
+    return logs;
+  }();
+  return levels;
+}
+
 struct LevelTable {
   std::array<KnotPlace, 256> place;  // [0] is not used: there is no logarithm
 
@@ -59,14 +68,15 @@ std::array<int32_t, 2> polynomial_of(const std::array<double, 2>& log_falloff) {
 }  // namespace
 
 KnotPlace place_of(double log_level) {
-  static const auto kLogLevels = [] {
-    std::array<double, kKnots> logs;
-    for (int k = 0; k < kKnots; ++k) logs[k] = std::log(kKnotLevels[k]);
-    return logs;
-  }();
+  const auto& levels = log_knot_levels();
   int knot = 0;
-  while (knot < kKnots - 2 && log_level > kLogLevels[knot + 1]) ++knot;
-  return {knot, (log_level - kLogLevels[knot]) / (kLogLevels[knot + 1] - kLogLevels[knot])};
+  while (knot < kKnots - 2 && log_level > levels[knot + 1]) ++knot;
+  return {knot, (log_level - levels[knot]) / (levels[knot + 1] - levels[knot])};
+}
+
+double slope_at(const ToneCurves::Knots& knots, const KnotPlace& place) {
+  const auto& levels = log_knot_levels();
+  return (knots[place.knot + 1] - knots[place.knot]) / (levels[place.knot + 1] - levels[place.knot]);
 }
 
 ToneMapping tone_mapping(const ToneCurves& curves) {

@@ -33,6 +33,9 @@ inline double log_gain_at(const ToneCurves::Knots& knots, const KnotPlace& place
   return knots[place.knot] + place.t * (knots[place.knot + 1] - knots[place.knot]);
 }
 
+/// ds / d ln v there.
+double slope_at(const ToneCurves::Knots& knots, const KnotPlace& place);
+
 /// The tables that synthesis reads: rounded, within 0..255, never falling; 0 stays 0. Falloff is the
 /// polynomial 1 + a1 q^2 + a2 q^4 nearest to it up to q^2 = 1.2, and none where it is below 1 % everywhere.
 synthesis::ToneMapping tone_mapping(const ToneCurves& curves);

@@ -13,17 +13,17 @@ using namespace svchain::testing;
 
 namespace {
 
-AlignmentSettings settings(double smoothing = 0.1, bool falloff = false) {
+AlignmentSettings settings(double smoothing = 0.02, bool falloff = false) {
   return {4, 1000, smoothing, falloff};
 }
 
 /// What correction makes of a place that a camera sees at the distance q from its lens's centre.
 double corrected(const ToneCurves& curves, const MadeCamera& camera, int i, int channel, double light,
                  double q2) {
-  const double log_value = std::log(camera.value(light, channel, q2));
   const auto& [p1, p2] = curves.log_falloff[i];
-  return std::exp(log_value + log_gain_at(curves.log_gain[i][channel], place_of(log_value)) + p1 * q2 +
-                  p2 * q2 * q2);
+  const double unfaded = camera.value(light, channel, q2) * std::exp(p1 * q2 + p2 * q2 * q2);
+  const double log_value = std::log(std::min(255.0, unfaded));
+  return std::exp(log_value + log_gain_at(curves.log_gain[i][channel], place_of(log_value)));
 }
 
 /// How far apart four cameras are after correction, relative, over the brightness that the statistics have.
@@ -51,7 +51,7 @@ int largest_change(const synthesis::ToneMapping& a, const synthesis::ToneMapping
 }
 
 ToneCurves curves_from(MadeStatistics statistics, bool falloff = false) {
-  PhotometricAlignment alignment(settings(0.1, falloff));
+  PhotometricAlignment alignment(settings(0.02, falloff));
   alignment.update(*statistics);
   return alignment.curves();
 }
@@ -78,7 +78,7 @@ TEST_CASE("cameras agree although what they see of the ground differs by a few p
 
 TEST_CASE("equal cameras keep their values within one level") {
   auto statistics = ring_of_four(kEqualCameras, 0.01);
-  PhotometricAlignment alignment(settings(0.1, true));
+  PhotometricAlignment alignment(settings(0.02, true));
   CHECK(largest_change(alignment.update(*statistics), synthesis::ToneMapping::identity()) <= 1);
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("a lens's falloff is found, together with gains and gammas") {
 
 TEST_CASE("without falloff in the pictures none is undone") {
   auto statistics = ring_of_four(kUnlikeGammas, 0.02);
-  PhotometricAlignment alignment(settings(0.1, true));
+  PhotometricAlignment alignment(settings(0.02, true));
   const auto& mapping = alignment.update(*statistics);
   for (int i = 0; i < 4; ++i) CHECK(!mapping.has_falloff(i));
 }
@@ -286,7 +286,7 @@ TEST_CASE("the differences of the overlaps are told before and after") {
 
 TEST_CASE("the same frames give the same tone mapping, bit by bit") {
   auto statistics = ring_of_four(kUnlikeGammas, 0.05);
-  PhotometricAlignment a(settings(0.1, true)), b(settings(0.1, true));
+  PhotometricAlignment a(settings(0.02, true)), b(settings(0.02, true));
   for (int frame = 0; frame < 5; ++frame) {
     a.update(*statistics);
     b.update(*statistics);
@@ -296,7 +296,7 @@ TEST_CASE("the same frames give the same tone mapping, bit by bit") {
 
 TEST_CASE("an update allocates nothing") {
   auto statistics = ring_of_four(kUnlikeGammas, 0.05);
-  PhotometricAlignment alignment(settings(0.1, true));
+  PhotometricAlignment alignment(settings(0.02, true));
   const size_t before = allocation_count();
   for (int frame = 0; frame < 3; ++frame) alignment.update(*statistics);
   CHECK(allocation_count() == before);
@@ -304,7 +304,7 @@ TEST_CASE("an update allocates nothing") {
 
 TEST_CASE("statistics of more blocks than expected lose those that are too many") {
   auto statistics = ring_of_four(kUnlikeGains);
-  PhotometricAlignment alignment({4, 100, 0.1, true});
+  PhotometricAlignment alignment({4, 100, 0.02, true});
   alignment.update(*statistics);
   CHECK(alignment.blocks_used() == 100);
 }

@@ -16,6 +16,7 @@ Section simulated_rigs(const std::vector<SetResult>& results);
 Section real_carpet(const std::filesystem::path& data);
 Section real_garage(const std::filesystem::path& data);
 Section features(const std::filesystem::path& data);
+Section photometric(const std::filesystem::path& data);
 Section rendered(const std::filesystem::path& data);
 Section stage_times(const std::filesystem::path& data);
 

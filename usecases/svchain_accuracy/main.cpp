@@ -75,6 +75,7 @@ void run(const Options& options) {
                                    real_carpet(options.data),
                                    real_garage(options.data),
                                    features(options.data),
+                                   photometric(options.data),
                                    stage_times(options.data)};
   std::vector<SetResult> results;
   for (const auto& set : simulated_sets(options.sets)) {
