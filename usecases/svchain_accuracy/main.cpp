@@ -1,4 +1,5 @@
-// svchain_accuracy: measures calibrations against truth that they have not seen and writes what comes out.
+// svchain_accuracy: measures calibrations and photometric alignment against truth that they have not seen and
+// writes what comes out.
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -38,8 +39,9 @@ std::string today() {
 }
 
 std::string heading(const Options& options) {
-  return "# How accurate calibrations are\n\n"
-         "Measured against truth that the calibration has not seen. Written by one command, from the "
+  return "# How accurate alignment is\n\n"
+         "Geometry first, brightness and colour after it, all measured against truth that they have not "
+         "seen. Written by one command, from the "
          "project's folder:\n\n"
          "```\nbuild/release/bin/svchain_accuracy --seeds " +
          std::to_string(options.sets) + " --data " + options.data.string() + " --output " +
@@ -92,7 +94,7 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
   svchain::accuracy::Options options;
-  CLI::App app("Measures calibrations against truth that they have not seen");
+  CLI::App app("Measures calibrations and photometric alignment against truth that they have not seen");
   app.add_option("--output", options.output, "the page to write")->capture_default_str();
   app.add_option("--data", options.data, "the folder of the real recordings")->capture_default_str();
   app.add_option("--seeds", options.sets, "simulated sets per vehicle and lens model")
