@@ -78,6 +78,7 @@ void JointFit::step(const Evidence& evidence, double rate, ToneCurves& curves) {
   add_expectations();
   hold(evidence);
   factor_.compute(system_);
+  if (factor_.info() != Eigen::Success) return;  // statistics that no frame could have given
   solve(rate);
   for (size_t i = 0; i < cameras_; ++i) {
     if (!evidence.shows(i)) continue;
