@@ -2,6 +2,7 @@
 find_package(Threads REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs videoio highgui calib3d aruco)
+find_package(hwy REQUIRED)  # Highway: libhwy-dev
 find_package(Boost REQUIRED)  # headers only: Asio
 find_package(spdlog REQUIRED)
 find_package(nlohmann_json REQUIRED)

@@ -18,6 +18,8 @@ namespace {
 constexpr int kFrames = 0, kLut = 1, kToneMapping = 2;
 constexpr int kView = 0, kStatistics = 1;
 constexpr size_t kCameraCount = 4;
+constexpr int kPartsPerCpu = 4;  // blocks differ in cost
+constexpr const char* kAuto = "auto";
 const std::vector<std::string> kViewTypes = {"bgr8", "nv12"};
 
 class Synthesis final : public Link {
@@ -46,6 +48,10 @@ class Synthesis final : public Link {
                   .count = 1,
                   .help = "block means of both cameras in every overlap, before tone mapping"}};
     d.parameters = picture_parameters("output_", kViewTypes);
+    std::vector<std::string> kernels = {kAuto};
+    kernels.insert(kernels.end(), synthesis::kernel_names().begin(), synthesis::kernel_names().end());
+    d.parameters.push_back(choice("kernel", kAuto, kernels,
+                                  "instructions it runs on; auto: the fastest that the processor has"));
     return d;
   }
 
@@ -58,6 +64,7 @@ class Synthesis final : public Link {
                                                 view.size_px.y(), "the view")});
     configuration.output(
         kStatistics, {Format::table("overlap_statistics", synthesis::OverlapStatistics::bytes_for(view))});
+    choose_kernel(configuration);
     tone_mapping_ = synthesis::ToneMapping::identity();
     lut_.reset();
     lut_at_ = nullptr;
@@ -72,13 +79,21 @@ class Synthesis final : public Link {
       frames[c] = any_picture(call.input(kFrames), static_cast<int>(c));
     Draft view = call.create(kView);
     Draft statistics = call.create(kStatistics);
-    synthesis::synthesize(lut_of(call.input(kLut)), frames, tone_mapping_, any_picture(view),
-                          synthesis::OverlapStatistics::create(statistics.bytes()));
+    const synthesis::GeometricLut& lut = lut_of(call.input(kLut));
+    auto* overlaps = synthesis::OverlapStatistics::create(statistics.bytes());
+    overlaps->expect(lut.header().overlap_count);
+    const colour::Picture composite = any_picture(view);
+    const int parts = call.cpus() > 1 ? call.cpus() * kPartsPerCpu : 1;
+    const auto part = [&](int i) {
+      synthesis::synthesize_part({i, parts}, lut, frames, tone_mapping_, composite, overlaps, kernel_);
+    };
+    call.parallel(parts, part);
     call.send(kView, std::move(view));
     call.send(kStatistics, std::move(statistics));
   }
 
   void report(nlohmann::json& report) const override {
+    report["synthesis"]["kernel"] = synthesis::name_of(kernel_);
     for (size_t c = 0; c < kCameraCount; ++c) {
       auto& camera = report["photometric"]["tone_mapping"][geometry::kCameraNames[c]];
       camera = {{"b", tone_mapping_.curves[c][0]},
@@ -91,6 +106,17 @@ class Synthesis final : public Link {
   }
 
  private:
+  void choose_kernel(Configuration& configuration) {
+    const std::string name = configuration.parameters().text("kernel");
+    kernel_ = synthesis::best_kernel();
+    if (name == kAuto) return;
+    const auto kernel = synthesis::kernel_named(name);
+    if (kernel)
+      kernel_ = *kernel;
+    else
+      configuration.parameter_fault("kernel", kernel.error().front().message);
+  }
+
   /// A LUT is checked when it is new. The one in force is held, so a new one lies elsewhere.
   const synthesis::GeometricLut& lut_of(const Frame& frame) {
     if (lut_at_ != frame.bytes().data()) lut_.emplace(frame.bytes());
@@ -98,6 +124,7 @@ class Synthesis final : public Link {
     return *lut_;
   }
 
+  synthesis::Kernel kernel_ = synthesis::Kernel::kPortable;
   std::optional<synthesis::GeometricLut> lut_;
   const std::byte* lut_at_ = nullptr;
   synthesis::ToneMapping tone_mapping_;  // what the last frame was made with

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "algorithms/synthesis/fixed_point.h"
+#include "algorithms/synthesis/lut_pixels.h"
 
 namespace svchain::photometric {
 namespace {
@@ -53,19 +54,18 @@ class Reader {
 void add_block(const synthesis::GeometricLut& lut, uint32_t index, const Reader& reader,
                std::vector<BlockMeans>& means) {
   const synthesis::LutBlock& block = lut.blocks()[index];
-  const uint32_t* entries = lut.entries(block);
   std::array<BlockMeans, 4> of_first = {};
-  for (const synthesis::LutSpan& span : lut.spans(block)) {
-    if (span.kind == synthesis::SpanKind::kCamera) entries += span.count;
-    if (span.kind != synthesis::SpanKind::kBlend) continue;
-    BlockMeans& overlap = of_first[span.first];
-    overlap.camera_a = block.sources[span.first].camera;
-    overlap.camera_b = block.sources[span.second].camera;
+  synthesis::for_each_pixel(lut, block, [&](const synthesis::LutPixel& pixel) {
+    const synthesis::LutRegion& region = *pixel.region;
+    if (region.kind != synthesis::RegionKind::kBlend) return;
+    BlockMeans& overlap = of_first[region.first];
+    overlap.camera_a = block.sources[region.first].camera;
+    overlap.camera_b = block.sources[region.second].camera;
     overlap.block = index;
-    overlap.pixels += span.count;
-    for (int i = 0; i < span.count; ++i) reader.add(block.sources[span.first], *entries++, overlap.a);
-    for (int i = 0; i < span.count; ++i) reader.add(block.sources[span.second], *entries++, overlap.b);
-  }
+    ++overlap.pixels;
+    reader.add(block.sources[region.first], pixel.first, overlap.a);
+    reader.add(block.sources[region.second], pixel.second, overlap.b);
+  });
   for (BlockMeans& overlap : of_first) {
     if (overlap.pixels == 0) continue;
     for (int c = 0; c < kChannels; ++c) {

@@ -2,15 +2,21 @@
 // The geometric LUT of the paper with its blending LUT: where in which camera every pixel of the composite
 // comes from. One flat, position-independent block of bytes (offsets, no pointers), because it travels
 // between cores in a pool buffer. Shape: a header, the table of the composite's 40x40 blocks (row by row;
-// those at the right and lower edge may be smaller), then each block's content, four lists walked in
-// parallel:
-//   spans       runs of pixels of one row and kind, which cover the block once, row by row
-//   entries     where to sample, as fixed_point.h defines, relative to the source's box: `count` for a span
-//               of one camera; for a blend `count` of its first camera, then `count` of its second
-//   weights     a blend takes `count`: the share of its first camera in 255ths
-//   background  a span of background takes `count` pixels, b g r
-// A source is a camera with the box (in the camera's image) that tightly encloses the pixels this block takes
-// from it, both neighbours of bilinear samples included; a box is at most 2048 px wide and high.
+// those at the right and lower edge may be smaller), then each block's content. A block is cut into regions,
+// which show the same: black, background, one camera, or the blend of two. A region's pixels lie one after
+// the other, row by row, whatever columns they have, so that a kernel runs through them without a gap. Five
+// lists, walked in parallel:
+//   regions     at most one of each kind and sources
+//   spans       the runs of pixels of one row that a region consists of
+//   entries     where to sample, as fixed_point.h defines, relative to the source's box: one for every pixel
+//   of a
+//               region of one camera; of a blend first all for its first camera, then all for its second
+//   weights     one for every pixel of a blend: the share of its first camera in 255ths
+//   background  b g r for every pixel of background
+// and, for prefetching, rows: what the block takes of every row of its first source's box, then of its
+// second's ... It is empty where the boxes have more than 512 rows together. A source is a camera with the
+// box (in the camera's image) that tightly encloses the pixels this block takes from it, both neighbours of
+// bilinear samples included; a box is at most 2048 px wide and high.
 
 #include <array>
 #include <cstddef>
@@ -26,23 +32,37 @@ namespace svchain::synthesis {
 
 inline constexpr int kBlockSize = 40;
 inline constexpr int kLargestBox = 2048;
+inline constexpr uint32_t kMostRows = 512;
 inline constexpr uint32_t kLutMagic = 0x54554c47;  // "GLUT"
-inline constexpr uint32_t kLutVersion = 2;
+inline constexpr uint32_t kLutVersion = 3;
 
-enum class SpanKind : uint8_t { kBlack, kBackground, kCamera, kBlend };
+enum class RegionKind : uint8_t { kBlack, kBackground, kCamera, kBlend };
+
+struct LutRegion {
+  RegionKind kind;
+  uint8_t first;   // index of the source; the clockwise first of the two in a blend
+  uint8_t second;  // likewise, in a blend only
+  uint8_t unused;  // 0, so that equal LUTs are equal byte by byte
+  uint16_t span_count;
+  uint16_t pixels;
+
+  int tap_count() const { return kind == RegionKind::kBlend ? 2 : kind == RegionKind::kCamera ? 1 : 0; }
+};
 
 struct LutSpan {
-  SpanKind kind;
   uint8_t row;    // in the block
   uint8_t start;  // first column in the block
   uint8_t count;
-  uint8_t first;   // index of the source; the clockwise first of the two in a blend
-  uint8_t second;  // likewise, in a blend only
 };
 
 struct LutSource {
   uint16_t camera;
   uint16_t x, y, width, height;  // the box, px
+};
+
+/// From the first to the last pixel that a block takes of one row of a source's box.
+struct LutRow {
+  uint16_t start, count;  // px, start from the box's left side
 };
 
 /// Where in their images two blended cameras see a block: mean of q^2 over the pixels that blend, q being the
@@ -56,10 +76,13 @@ struct LutBlock {
   uint32_t source_count;
   std::array<LutSource, 4> sources;    // by rising camera number
   std::array<LutOverlap, 4> overlaps;  // by the source that is the clockwise first of a pair
-  uint32_t spans_at, span_count;       // offsets in bytes from the LUT's start
+  uint32_t first_overlap;              // how many overlaps the blocks before it have
+  uint32_t regions_at, region_count;   // offsets in bytes from the LUT's start
+  uint32_t spans_at, span_count;
   uint32_t entries_at, entry_count;
   uint32_t weights_at, weight_count;
   uint32_t background_at, background_count;
+  uint32_t rows_at, row_count;
 
   bool blends() const { return weight_count > 0; }
 };
@@ -112,7 +135,11 @@ class GeometricLut {
   const LutHeader& header() const { return *at<LutHeader>(0); }
   std::span<const LutBlock> blocks() const { return {at<LutBlock>(sizeof(LutHeader)), header().block_count}; }
 
+  std::span<const LutRegion> regions(const LutBlock& b) const {
+    return {at<LutRegion>(b.regions_at), b.region_count};
+  }
   std::span<const LutSpan> spans(const LutBlock& b) const { return {at<LutSpan>(b.spans_at), b.span_count}; }
+  std::span<const LutRow> rows(const LutBlock& b) const { return {at<LutRow>(b.rows_at), b.row_count}; }
   const uint32_t* entries(const LutBlock& b) const { return at<uint32_t>(b.entries_at); }
   const uint8_t* weights(const LutBlock& b) const { return at<uint8_t>(b.weights_at); }
   const uint8_t* background(const LutBlock& b) const { return at<uint8_t>(b.background_at); }
@@ -133,6 +160,8 @@ class GeometricLut {
     return reinterpret_cast<const T*>(memory_.data() + offset);
   }
   void check_block(const LutBlock& block) const;
+  bool regions_fit(const LutBlock& block) const;
+  bool rows_fit(const LutBlock& block) const;
 
   std::span<const std::byte> memory_;
 };

@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <opencv2/core.hpp>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -10,17 +8,15 @@
 #include "algorithms/synthesis/camera_shares.h"
 #include "algorithms/synthesis/fixed_point.h"
 #include "algorithms/synthesis/geometric_lut.h"
+#include "algorithms/synthesis/lut_writer.h"
 #include "algorithms/synthesis/vehicle_silhouette.h"
 
 namespace svchain::synthesis {
 namespace {
 
 constexpr size_t kContentAlignment = 64;  // a block's content starts on a cache line
+constexpr size_t kMostRegions = 10;       // black, background, four cameras, four pairs of neighbours
 constexpr size_t kBlockPixels = kBlockSize * kBlockSize;
-
-[[noreturn]] void refuse(const std::string& message) {
-  throw std::invalid_argument("geometric LUT: " + message);
-}
 
 /// One camera's part in one pixel: where to sample, in 1/32 px of the camera's image.
 struct Tap {
@@ -31,17 +27,11 @@ struct Tap {
 
 /// One pixel of the composite. `taps` holds one for a camera, two for a blend.
 struct Cell {
-  SpanKind kind = SpanKind::kBlack;
+  RegionKind kind = RegionKind::kBlack;
   uint8_t weight = 0;
   Tap taps[2];
 
-  int tap_count() const { return kind == SpanKind::kBlend ? 2 : kind == SpanKind::kCamera ? 1 : 0; }
-  bool continues(const Cell& before) const {
-    if (kind != before.kind) return false;
-    for (int i = 0; i < tap_count(); ++i)
-      if (taps[i].camera != before.taps[i].camera) return false;
-    return true;
-  }
+  int tap_count() const { return kind == RegionKind::kBlend ? 2 : kind == RegionKind::kCamera ? 1 : 0; }
 };
 
 /// Decides what a pixel shows.
@@ -55,7 +45,7 @@ class CellMaker {
 
   Cell make(int column, int row) const {
     const Eigen::Vector2d ground = view_.ground_from_pixel({column, row});
-    if (is_under_vehicle(rig_.vehicle, ground)) return {SpanKind::kBackground, 0, {}};
+    if (is_under_vehicle(rig_.vehicle, ground)) return {RegionKind::kBackground, 0, {}};
     const CameraShares shares = camera_shares(rig_.vehicle, shape_, ground);
     return shares.share_of_first >= 0.5 ? make(ground, shares.first, shares.second, shares)
                                         : make(ground, shares.second, shares.first, shares);
@@ -79,14 +69,14 @@ class CellMaker {
     const int main_weight = in_order ? weight : 255 - weight;
     if (main_weight == 255) return one(tap(main, *main_seen));
     if (main_weight == 0) return one(tap(other, *other_seen));
-    Cell cell{SpanKind::kBlend,
+    Cell cell{RegionKind::kBlend,
               static_cast<uint8_t>(shown_weight(shape_, weight)),
               {tap(main, *main_seen), tap(other, *other_seen)}};
     if (!in_order) std::swap(cell.taps[0], cell.taps[1]);
     return cell;
   }
 
-  static Cell one(const Tap& tap) { return {SpanKind::kCamera, 0, {tap, {}}}; }
+  static Cell one(const Tap& tap) { return {RegionKind::kCamera, 0, {tap, {}}}; }
 
   /// Rounds, and keeps the right and lower neighbour of the sample within the image.
   Tap tap(int camera, const CameraReach::Seen& seen) const {
@@ -104,34 +94,6 @@ class CellMaker {
   std::vector<CameraReach> reaches_;
 };
 
-/// Grows a LUT at the end of what is written.
-class LutWriter {
- public:
-  explicit LutWriter(std::span<std::byte> memory) : memory_(memory) {}
-
-  template <class T>
-  T* append(size_t count) {
-    const size_t begin = used_;
-    if (count * sizeof(T) > memory_.size() - begin) refuse("the memory does not suffice");
-    used_ += count * sizeof(T);
-    std::memset(memory_.data() + begin, 0, count * sizeof(T));
-    return reinterpret_cast<T*>(memory_.data() + begin);
-  }
-  template <class T>
-  uint32_t append(const std::vector<T>& items) {
-    const auto offset = static_cast<uint32_t>(used_);
-    T* copy = append<T>(items.size());
-    if (!items.empty()) std::memcpy(copy, items.data(), items.size() * sizeof(T));
-    return offset;
-  }
-  void align(size_t alignment) { append<std::byte>((alignment - used_ % alignment) % alignment); }
-  uint32_t used() const { return static_cast<uint32_t>(used_); }
-
- private:
-  std::span<std::byte> memory_;
-  size_t used_ = 0;
-};
-
 /// Turns the cells of one block after the other into the LUT's lists.
 class BlockWriter {
  public:
@@ -140,26 +102,27 @@ class BlockWriter {
 
   /// `cells` are the block's, row by row.
   void write(LutBlock& block, const Cell* cells) {
+    rows_.clear();
+    regions_.clear();
     spans_.clear();
     entries_.clear();
     weights_.clear();
     pixels_.clear();
     find_sources(block, cells);
     find_overlaps(block, cells);
-    for (int row = 0; row < block.height; ++row)
-      for (int start = 0; start < block.width;) {
-        const Cell* run = cells + row * block.width + start;
-        int count = 1;
-        while (start + count < block.width && run[count].continues(run[0])) ++count;
-        add_span(block, run, row, start, count);
-        start += count;
-      }
+    find_rows(block, cells);
+    find_regions(block, cells);
+    for (LutRegion& region : regions_) add_region(block, cells, region);
     writer_.align(kContentAlignment);
     block.entry_count = static_cast<uint32_t>(entries_.size());
+    block.row_count = static_cast<uint32_t>(rows_.size());
+    block.region_count = static_cast<uint32_t>(regions_.size());
     block.span_count = static_cast<uint32_t>(spans_.size());
     block.weight_count = static_cast<uint32_t>(weights_.size());
     block.background_count = static_cast<uint32_t>(pixels_.size());
     block.entries_at = writer_.append(entries_);
+    block.rows_at = writer_.append(rows_);
+    block.regions_at = writer_.append(regions_);
     block.spans_at = writer_.append(spans_);
     block.weights_at = writer_.append(weights_);
     block.background_at = writer_.append(pixels_);
@@ -173,7 +136,7 @@ class BlockWriter {
     std::array<Bounds, 4> bounds;
     std::array<bool, 4> overlaps = {};  // by first camera
     for (const Cell* cell = cells; cell != cells + block.width * block.height; ++cell) {
-      if (cell->kind == SpanKind::kBlend) overlaps[cell->taps[0].camera] = true;
+      if (cell->kind == RegionKind::kBlend) overlaps[cell->taps[0].camera] = true;
       for (int i = 0; i < cell->tap_count(); ++i) {
         const Tap& tap = cell->taps[i];
         Bounds& b = bounds[tap.camera];
@@ -183,6 +146,7 @@ class BlockWriter {
         b.bottom = std::max(b.bottom, (tap.y >> kFractionBits) + 1);
       }
     }
+    block.first_overlap = header_.overlap_count;
     header_.overlap_count += static_cast<uint32_t>(std::count(overlaps.begin(), overlaps.end(), true));
     for (int camera = 0; camera < 4; ++camera) {
       const Bounds& b = bounds[camera];
@@ -204,7 +168,7 @@ class BlockWriter {
     std::array<double, 4> first = {}, second = {};
     std::array<int, 4> pixels = {};  // by first camera
     for (const Cell* cell = cells; cell != cells + block.width * block.height; ++cell) {
-      if (cell->kind != SpanKind::kBlend) continue;
+      if (cell->kind != RegionKind::kBlend) continue;
       const int camera = cell->taps[0].camera;
       first[camera] += q2(cell->taps[0]);
       second[camera] += q2(cell->taps[1]);
@@ -222,31 +186,94 @@ class BlockWriter {
     return double(scale.q2(tap.x - centre[0], tap.y - centre[1])) / kRadialOne;
   }
 
-  void add_span(const LutBlock& block, const Cell* run, int row, int start, int count) {
-    LutSpan span{
-        run->kind, static_cast<uint8_t>(row), static_cast<uint8_t>(start), static_cast<uint8_t>(count), 0, 0};
-    if (run->tap_count() > 0) span.first = source_of_camera_[run->taps[0].camera];
-    if (run->tap_count() > 1) span.second = source_of_camera_[run->taps[1].camera];
-    spans_.push_back(span);
+  void find_rows(const LutBlock& block, const Cell* cells) {
+    std::array<size_t, 4> first = {};  // by source
+    size_t count = 0;
+    for (uint32_t i = 0; i < block.source_count; ++i) {
+      first[i] = count;
+      count += block.sources[i].height;
+    }
+    if (count > kMostRows) return;
+    rows_.assign(count, LutRow{});
+    for (const Cell* cell = cells; cell != cells + block.width * block.height; ++cell)
+      for (int i = 0; i < cell->tap_count(); ++i) {
+        const Tap& tap = cell->taps[i];
+        const uint8_t source = source_of_camera_[tap.camera];
+        const int x = (tap.x >> kFractionBits) - block.sources[source].x;
+        const int y = (tap.y >> kFractionBits) - block.sources[source].y;
+        widen(rows_[first[source] + y], x);
+        widen(rows_[first[source] + y + 1], x);
+      }
+  }
+  /// To hold pixel x and its right neighbour.
+  static void widen(LutRow& row, int x) {
+    const int left = row.count == 0 ? x : std::min<int>(row.start, x);
+    const int right = std::max(row.start + row.count, x + 2);
+    row = {static_cast<uint16_t>(left), static_cast<uint16_t>(right - left)};
+  }
 
-    for (int i = 0; i < run->tap_count(); ++i) {
-      const LutSource& source = block.sources[i == 0 ? span.first : span.second];
-      for (int n = 0; n < count; ++n)
+  /// By the order in which their first pixels come.
+  void find_regions(const LutBlock& block, const Cell* cells) {
+    for (int i = 0; i < block.width * block.height; ++i) {
+      const LutRegion region = region_of(cells[i]);
+      const auto same = [&](const LutRegion& other) { return is_same(other, region); };
+      if (std::none_of(regions_.begin(), regions_.end(), same)) regions_.push_back(region);
+    }
+  }
+  LutRegion region_of(const Cell& cell) const {
+    LutRegion region{cell.kind, 0, 0, 0, 0, 0};
+    if (cell.tap_count() > 0) region.first = source_of_camera_[cell.taps[0].camera];
+    if (cell.tap_count() > 1) region.second = source_of_camera_[cell.taps[1].camera];
+    return region;
+  }
+  static bool is_same(const LutRegion& a, const LutRegion& b) {
+    return a.kind == b.kind && a.first == b.first && a.second == b.second;
+  }
+
+  void add_region(const LutBlock& block, const Cell* cells, LutRegion& region) {
+    const size_t first_span = spans_.size();
+    std::vector<const Cell*> members;
+    for (int row = 0; row < block.height; ++row) {
+      bool open = false;
+      for (int column = 0; column < block.width; ++column) {
+        const Cell& cell = cells[row * block.width + column];
+        const bool member = is_same(region_of(cell), region);
+        if (member && !open) spans_.push_back({static_cast<uint8_t>(row), static_cast<uint8_t>(column), 0});
+        open = member;
+        if (!member) continue;
+        ++spans_.back().count;
+        members.push_back(&cell);
+        if (region.kind == RegionKind::kBackground)
+          pixels_.push_back(background_pixel(block.x + column, block.y + row));
+      }
+    }
+    region.span_count = static_cast<uint16_t>(spans_.size() - first_span);
+    region.pixels = static_cast<uint16_t>(members.size());
+    add_taps(block, region, members);
+  }
+
+  std::array<uint8_t, 3> background_pixel(int column, int row) const {
+    const auto& pixel = background_.at<cv::Vec3b>(row, column);
+    return {pixel[0], pixel[1], pixel[2]};
+  }
+
+  void add_taps(const LutBlock& block, const LutRegion& region, const std::vector<const Cell*>& members) {
+    for (int i = 0; i < region.tap_count(); ++i) {
+      const LutSource& source = block.sources[i == 0 ? region.first : region.second];
+      for (const Cell* cell : members)
         entries_.push_back(
-            make_entry(run[n].taps[i].x - source.x * kOnePixel, run[n].taps[i].y - source.y * kOnePixel));
+            make_entry(cell->taps[i].x - source.x * kOnePixel, cell->taps[i].y - source.y * kOnePixel));
     }
-    if (run->kind == SpanKind::kBlend)
-      for (int n = 0; n < count; ++n) weights_.push_back(run[n].weight);
-    if (run->kind == SpanKind::kBackground) {
-      const cv::Vec3b* from = background_.ptr<cv::Vec3b>(block.y + row) + block.x + start;
-      for (int n = 0; n < count; ++n) pixels_.push_back({from[n][0], from[n][1], from[n][2]});
-    }
+    if (region.kind == RegionKind::kBlend)
+      for (const Cell* cell : members) weights_.push_back(cell->weight);
   }
 
   LutWriter& writer_;
   LutHeader& header_;
   const cv::Mat& background_;
   std::array<uint8_t, 4> source_of_camera_ = {};
+  std::vector<LutRow> rows_;
+  std::vector<LutRegion> regions_;
   std::vector<LutSpan> spans_;
   std::vector<uint32_t> entries_;
   std::vector<uint8_t> weights_;
@@ -301,7 +328,8 @@ size_t geometric_lut_capacity(const geometry::View& view, size_t cameras) {
   const size_t taps = std::min<size_t>(cameras, 2);
   const size_t blocks = block_count(view.size_px);
   const size_t pixel = taps * sizeof(uint32_t) + 1 + sizeof(LutSpan);  // a blend, in a span of its own
-  return sizeof(LutHeader) + blocks * (sizeof(LutBlock) + kContentAlignment) +
+  const size_t lists = kMostRegions * sizeof(LutRegion) + kMostRows * sizeof(LutRow);
+  return sizeof(LutHeader) + blocks * (sizeof(LutBlock) + lists + kContentAlignment) +
          size_t(view.size_px.x()) * view.size_px.y() * pixel;
 }
 

@@ -24,7 +24,11 @@ OverlapStatistics* OverlapStatistics::create(std::span<std::byte> memory) {
 }
 
 void OverlapStatistics::add(const OverlapBlock& block) {
-  const_cast<OverlapBlock*>(entries())[count++] = block;
+  put(count++, block);
+}
+
+void OverlapStatistics::put(uint32_t index, const OverlapBlock& block) {
+  const_cast<OverlapBlock*>(entries())[index] = block;
 }
 
 }  // namespace svchain::synthesis

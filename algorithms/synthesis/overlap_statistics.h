@@ -48,6 +48,10 @@ struct OverlapStatistics {
   void clear() { count = 0; }
   /// Appends an entry; there must be room.
   void add(const OverlapBlock& block);
+  /// Makes so many entries, of any content, for `put` to write; there must be room. Different threads may put
+  /// different entries at the same time.
+  void expect(uint32_t entries) { count = entries; }
+  void put(uint32_t index, const OverlapBlock& block);
 
  private:
   const OverlapBlock* entries() const { return reinterpret_cast<const OverlapBlock*>(this + 1); }

@@ -1,12 +1,14 @@
 #include "algorithms/synthesis/synthesize.h"
 
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "algorithms/colour/convert.h"
-#include "algorithms/synthesis/fixed_point.h"
-#include "algorithms/synthesis/sampling.h"
+#include "algorithms/synthesis/prefetch.h"
+#include "algorithms/synthesis/stages.h"
+#include "algorithms/synthesis/vector_stages.h"
 
 namespace svchain::synthesis {
 namespace {
@@ -16,64 +18,31 @@ using colour::PixelFormat;
 
 struct Source {
   FrameBox frame;
-  const std::array<ToneMapping::Curve, kChannels>* curves = nullptr;
-  bool has_falloff = false;
-  int32_t a1 = 0, a2 = 0;
-  int32_t centre_x = 0, centre_y = 0;  // of the lens, 1/32 px from the box's top left pixel
-  RadialScale radial = {};
+  const ToneTables* tone = nullptr;
+  std::optional<Falloff> falloff;
 };
 
-void undo_falloff(const Source& source, const uint32_t* entries, int count, Samples& samples) {
-  int32_t factors[kBlockSize];
-  for (int i = 0; i < count; ++i) {
-    const auto x = static_cast<int32_t>(entry_x(entries[i])), y = static_cast<int32_t>(entry_y(entries[i]));
-    factors[i] =
-        radial_factor(source.a1, source.a2, source.radial.q2(x - source.centre_x, y - source.centre_y));
-  }
-  for (int c = 0; c < kChannels; ++c)
-    for (int i = 0; i < count; ++i) samples.channel[c][i] = unfade(samples.channel[c][i], factors[i]);
-}
-
-void tone_map(const Source& source, const uint32_t* entries, int count, Samples& samples) {
-  if (source.has_falloff) undo_falloff(source, entries, count, samples);
-  for (int c = 0; c < kChannels; ++c) {
-    const ToneMapping::Curve& curve = (*source.curves)[c];
-    for (int i = 0; i < count; ++i) samples.channel[c][i] = curve[samples.channel[c][i]];
-  }
-}
-
-void blend(const Samples& a, const Samples& b, const uint8_t* weights, int count, Samples& out) {
-  for (int c = 0; c < kChannels; ++c)
-    for (int i = 0; i < count; ++i)
-      out.channel[c][i] = synthesis::blend(a.channel[c][i], b.channel[c][i], weights[i]);
-}
-
-void store(const Samples& samples, int count, uint8_t* out) {
-  for (int i = 0; i < count; ++i)
-    for (int c = 0; c < kChannels; ++c) *out++ = samples.channel[c][i];
-}
-
-void gather(const Samples& samples, int count, BlockSamples& into) {
-  for (int c = 0; c < kChannels; ++c) {
-    uint32_t sum = 0, sum_of_squares = 0, clipped = 0;
-    for (int i = 0; i < count; ++i) {
-      const uint32_t v = samples.channel[c][i];
-      sum += v;
-      sum_of_squares += v * v;
-      clipped += is_clipped(samples.channel[c][i]);
-    }
-    into.sum[c] += sum;
-    into.sum_of_squares[c] += sum_of_squares;
-    into.clipped[c] += clipped;
-  }
+/// Copies a row's run; a whole row of a block is by far the most frequent, and its size known.
+void copy_run(const uint8_t* from, size_t pixels, uint8_t* to) {
+  if (pixels == kBlockSize)
+    std::memcpy(to, from, kBlockSize * kChannels);
+  else
+    std::memcpy(to, from, pixels * kChannels);
 }
 
 /// One block after the other; borrows everything.
-class Kernel {
+class Synthesis {
  public:
-  Kernel(const GeometricLut& lut, std::span<const Picture> frames, const ToneMapping& tone_mapping,
-         const Picture& out, OverlapStatistics* statistics)
-      : lut_(lut), frames_(frames), tone_mapping_(tone_mapping), out_(out), statistics_(statistics) {}
+  Synthesis(const GeometricLut& lut, std::span<const Picture> frames, const ToneMapping& tone_mapping,
+            const Picture& out, OverlapStatistics* statistics, Kernel kernel)
+      : lut_(lut),
+        frames_(frames),
+        tone_mapping_(tone_mapping),
+        out_(out),
+        statistics_(statistics),
+        stages_(kernel == Kernel::kPortable ? kPortableStages : *vector_stages(kernel)) {
+    for (size_t i = 0; i < frames.size(); ++i) tone_[i] = stages_.tone_tables(tone_mapping.curves[i]);
+  }
 
   void run(const LutBlock& block, uint32_t index) {
     open(block);
@@ -81,27 +50,28 @@ class Kernel {
     const uint32_t* entries = lut_.entries(block);
     const uint8_t* weights = lut_.weights(block);
     const uint8_t* background = lut_.background(block);
-    for (const LutSpan& span : lut_.spans(block)) {
-      uint8_t* out = target.pixels + span.row * target.pitch_bytes + span.start * kChannels;
-      const int count = span.count;
-      switch (span.kind) {
-        case SpanKind::kBlack:
-          std::memset(out, 0, count * kChannels);
+    const LutSpan* spans = lut_.spans(block).data();
+    for (const LutRegion& region : lut_.regions(block)) {
+      const uint8_t* pixels = packed_;
+      switch (region.kind) {
+        case RegionKind::kBlack:
+          std::memset(packed_, 0, region.pixels * kChannels);
           break;
-        case SpanKind::kBackground:
-          std::memcpy(out, background, count * kChannels);
-          background += count * kChannels;
+        case RegionKind::kBackground:
+          pixels = background;
+          background += region.pixels * kChannels;
           break;
-        case SpanKind::kCamera:
-          show_one(sources_[span.first], entries, count, out);
-          entries += count;
+        case RegionKind::kCamera:
+          show_one(region, entries);
           break;
-        case SpanKind::kBlend:
-          show_both(span, entries, weights, out);
-          entries += 2 * count;
-          weights += count;
+        case RegionKind::kBlend:
+          show_both(region, entries, weights);
+          weights += region.pixels;
           break;
       }
+      spread({spans, region.span_count}, pixels, target);
+      spans += region.span_count;
+      entries += region.pixels * region.tap_count();
     }
     if (out_.format == PixelFormat::kNv12) colour::yuv_from_bgr(target, nv12_target(block));
     if (statistics_) close(block, index);
@@ -116,17 +86,13 @@ class Kernel {
   }
 
   Source source_of(const LutSource& box) const {
+    Source source{FrameBox(frames_[box.camera], box), &tone_[box.camera], std::nullopt};
+    if (!tone_mapping_.has_falloff(box.camera)) return source;
     const LutHeader& header = lut_.header();
-    Source source;
-    source.frame = FrameBox(frames_[box.camera], box);
-    source.curves = &tone_mapping_.curves[box.camera];
-    source.has_falloff = tone_mapping_.has_falloff(box.camera);
-    if (!source.has_falloff) return source;
-    source.a1 = tone_mapping_.falloff[box.camera][0];
-    source.a2 = tone_mapping_.falloff[box.camera][1];
-    source.centre_x = header.lens_centre[box.camera][0] - box.x * int{kOnePixel};
-    source.centre_y = header.lens_centre[box.camera][1] - box.y * int{kOnePixel};
-    source.radial = RadialScale::of(header.image_size_px[box.camera][0]);
+    const auto [a1, a2] = tone_mapping_.falloff[box.camera];
+    source.falloff = {a1, a2, header.lens_centre[box.camera][0] - box.x * int{kOnePixel},
+                      header.lens_centre[box.camera][1] - box.y * int{kOnePixel},
+                      RadialScale::of(header.image_size_px[box.camera][0])};
     return source;
   }
 
@@ -149,33 +115,50 @@ class Kernel {
     return target;
   }
 
-  void show_one(const Source& source, const uint32_t* entries, int count, uint8_t* out) {
-    source.frame.sample(entries, count, first_);
-    tone_map(source, entries, count, first_);
-    store(first_, count, out);
+  void show_one(const LutRegion& region, const uint32_t* entries) {
+    const Source& source = sources_[region.first];
+    stages_.sample(source.frame, entries, region.pixels, first_);
+    tone_map(source, entries, region.pixels, first_);
+    stages_.pack(first_, region.pixels, packed_);
   }
 
-  void show_both(const LutSpan& span, const uint32_t* entries, const uint8_t* weights, uint8_t* out) {
-    const int count = span.count;
-    const Source& a = sources_[span.first];
-    const Source& b = sources_[span.second];
-    a.frame.sample(entries, count, first_);
-    b.frame.sample(entries + count, count, second_);
+  void show_both(const LutRegion& region, const uint32_t* entries, const uint8_t* weights) {
+    const size_t count = region.pixels;
+    const Source& a = sources_[region.first];
+    const Source& b = sources_[region.second];
+    stages_.sample(a.frame, entries, count, first_);
+    stages_.sample(b.frame, entries + count, count, second_);
     if (statistics_) {
-      OverlapBlock& overlap = overlaps_[span.first];
-      overlap.pixels += span.count;
-      overlap.camera_b = span.second;  // its source as yet
-      gather(first_, count, overlap.a);
-      gather(second_, count, overlap.b);
+      OverlapBlock& overlap = overlaps_[region.first];
+      overlap.pixels = region.pixels;
+      overlap.camera_b = region.second;  // its source as yet
+      stages_.add(first_, count, overlap.a);
+      stages_.add(second_, count, overlap.b);
     }
     tone_map(a, entries, count, first_);
     tone_map(b, entries + count, count, second_);
-    blend(first_, second_, weights, count, first_);
-    store(first_, count, out);
+    std::memcpy(weights_, weights, count);
+    stages_.blend(first_, second_, weights_, count);
+    stages_.pack(first_, count, packed_);
+  }
+
+  void tone_map(const Source& source, const uint32_t* entries, size_t count, Samples& samples) const {
+    if (source.falloff) stages_.undo_falloff(*source.falloff, entries, count, samples);
+    stages_.tone_map(*source.tone, count, samples);
+  }
+
+  /// From a region's list to the rows of its block.
+  static void spread(std::span<const LutSpan> spans, const uint8_t* pixels, const Picture& target) {
+    for (const LutSpan& span : spans) {
+      uint8_t* to = target.pixels + span.row * target.pitch_bytes + span.start * kChannels;
+      copy_run(pixels, span.count, to);
+      pixels += span.count * kChannels;
+    }
   }
 
   /// A pair of neighbours is known by its clockwise first, so there is at most one overlap per source.
   void close(const LutBlock& block, uint32_t index) {
+    uint32_t at = block.first_overlap;
     for (uint32_t i = 0; i < block.source_count; ++i) {
       OverlapBlock& overlap = overlaps_[i];
       if (overlap.pixels == 0) continue;
@@ -184,7 +167,7 @@ class Kernel {
       overlap.block = index;
       overlap.q2_a = block.overlaps[i].q2_first;
       overlap.q2_b = block.overlaps[i].q2_second;
-      statistics_->add(overlap);
+      statistics_->put(at++, overlap);
     }
   }
 
@@ -193,10 +176,14 @@ class Kernel {
   const ToneMapping& tone_mapping_;
   const Picture& out_;
   OverlapStatistics* statistics_;
+  const Stages& stages_;
+  std::array<ToneTables, kMaxCameras> tone_;
   std::array<Source, 4> sources_;
   std::array<OverlapBlock, 4> overlaps_;
   Samples first_;
   Samples second_;
+  alignas(kLargestVector) uint8_t weights_[kBlockPixels];
+  alignas(kLargestVector) uint8_t packed_[kBlockPixels * kChannels];
   uint8_t tile_[kBlockSize][kBlockSize * kChannels];
 };
 static_assert(kBlockSize % 2 == 0);
@@ -222,6 +209,8 @@ void check(const LutHeader& header, std::span<const Picture> frames, const Pictu
   require(colour::has_whole_groups(out.format, out.width_px, out.height_px),
           "NV12 needs a view of even width and height");
   require(!statistics || statistics->capacity >= header.overlap_count, "the statistics' memory is too small");
+  require(!statistics || statistics->count == header.overlap_count,
+          "the statistics do not expect the overlaps of the LUT");
 }
 
 Picture checked_picture(const cv::Mat& bgr) {
@@ -232,21 +221,33 @@ Picture checked_picture(const cv::Mat& bgr) {
 }  // namespace
 
 void synthesize(const GeometricLut& lut, std::span<const Picture> frames, const ToneMapping& tone_mapping,
-                const Picture& out, OverlapStatistics* statistics) {
+                const Picture& out, OverlapStatistics* statistics, Kernel kernel) {
+  if (statistics) statistics->expect(lut.header().overlap_count);
+  synthesize_part({}, lut, frames, tone_mapping, out, statistics, kernel);
+}
+
+void synthesize_part(const Part& part, const GeometricLut& lut, std::span<const Picture> frames,
+                     const ToneMapping& tone_mapping, const Picture& out, OverlapStatistics* statistics,
+                     Kernel kernel) {
+  require(can_run(kernel), "this processor does not run the kernel");
   check(lut.header(), frames, out, statistics);
-  if (statistics) statistics->clear();
-  Kernel kernel(lut, frames, tone_mapping, out, statistics);
-  uint32_t index = 0;
-  for (const LutBlock& block : lut.blocks()) kernel.run(block, index++);
+  Synthesis synthesis(lut, frames, tone_mapping, out, statistics, kernel);
+  const auto blocks = lut.blocks();
+  const size_t begin = blocks.size() * part.index / part.count;
+  const size_t end = blocks.size() * (part.index + 1) / part.count;
+  for (size_t i = begin; i < end; ++i) {
+    if (i + 1 < end) prefetch(lut, blocks[i + 1], frames);
+    synthesis.run(blocks[i], static_cast<uint32_t>(i));
+  }
 }
 
 void synthesize(const GeometricLut& lut, std::span<const cv::Mat> frames, const ToneMapping& tone_mapping,
-                cv::Mat& out, OverlapStatistics* statistics) {
+                cv::Mat& out, OverlapStatistics* statistics, Kernel kernel) {
   std::array<Picture, kMaxCameras> pictures;
   require(frames.size() <= pictures.size(), "more frames than cameras there can be");
   for (size_t i = 0; i < frames.size(); ++i) pictures[i] = checked_picture(frames[i]);
   synthesize(lut, std::span<const Picture>(pictures.data(), frames.size()), tone_mapping,
-             checked_picture(out), statistics);
+             checked_picture(out), statistics, kernel);
 }
 
 }  // namespace svchain::synthesis

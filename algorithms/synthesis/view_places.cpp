@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "algorithms/synthesis/fixed_point.h"
+#include "algorithms/synthesis/lut_pixels.h"
 
 namespace svchain::synthesis {
 namespace {
@@ -20,23 +21,18 @@ ViewPlaces::ViewPlaces(const GeometricLut& lut, int camera)
     : width_(lut.header().width),
       height_(lut.header().height),
       image_px_(size_t(width_) * height_, Eigen::Vector2f(-1, -1)) {
-  for (const LutBlock& block : lut.blocks()) {
-    const uint32_t* entries = lut.entries(block);
-    const auto read = [&](const LutSpan& span, uint8_t source) {
-      const LutSource& box = block.sources[source];
-      Eigen::Vector2f* run = &image_px_[size_t(block.y + span.row) * width_ + block.x + span.start];
-      for (int i = 0; i < span.count; ++i, ++entries) {
-        if (box.camera != camera) continue;
-        const Eigen::Vector2f within(static_cast<float>(entry_x(*entries)),
-                                     static_cast<float>(entry_y(*entries)));
-        run[i] = Eigen::Vector2f(box.x, box.y) + within / kOnePixel;
-      }
-    };
-    for (const LutSpan& span : lut.spans(block)) {
-      if (span.kind == SpanKind::kCamera || span.kind == SpanKind::kBlend) read(span, span.first);
-      if (span.kind == SpanKind::kBlend) read(span, span.second);
-    }
-  }
+  for (const LutBlock& block : lut.blocks())
+    for_each_pixel(lut, block, [&](const LutPixel& pixel) {
+      const auto read = [&](uint8_t source, uint32_t entry) {
+        const LutSource& box = block.sources[source];
+        if (box.camera != camera) return;
+        const Eigen::Vector2f within(static_cast<float>(entry_x(entry)), static_cast<float>(entry_y(entry)));
+        image_px_[size_t(pixel.row) * width_ + pixel.column] =
+            Eigen::Vector2f(box.x, box.y) + within / kOnePixel;
+      };
+      if (pixel.region->tap_count() > 0) read(pixel.region->first, pixel.first);
+      if (pixel.region->tap_count() > 1) read(pixel.region->second, pixel.second);
+    });
 }
 
 bool ViewPlaces::has(int column, int row) const {

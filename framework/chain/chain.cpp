@@ -9,6 +9,19 @@
 
 namespace svchain {
 
+namespace {
+
+void hire_workers(const Plan& plan, Chain::Runtime& r) {
+  for (size_t c = 0; c < plan.cores.size(); ++c) {
+    if (plan.cores[c].cpus == 1) continue;
+    r.workers.push_back(std::make_unique<Workers>(plan.cores[c].cpus - 1));
+    for (size_t l = 0; l < plan.links.size(); ++l)
+      if (plan.links[l].core == static_cast<int>(c)) r.runners[l]->set_workers(r.workers.back().get());
+  }
+}
+
+}  // namespace
+
 Chain::Chain(Plan plan, ChainOptions options) : plan_(std::move(plan)), options_(std::move(options)) {}
 
 Chain::~Chain() {
@@ -93,6 +106,7 @@ void Chain::start() {
   act(ChainAction::kStart);
   Runtime& r = *runtime_;
   if (options_.execution == Execution::kThreads) {
+    hire_workers(plan_, r);
     for (size_t c = 0; c < r.cores.size(); ++c) {
       r.threads.emplace_back(
           [&core = *r.cores[c], &soc = plan_.cores[c]] { core.loop(soc.spins, soc.parks); });
@@ -156,6 +170,8 @@ void Chain::stop() {
   for (auto& core : r.cores) core->quit();
   for (auto& thread : r.threads) thread.join();
   r.threads.clear();
+  for (auto& runner : r.runners) runner->set_workers(nullptr);
+  r.workers.clear();
   r.links_started = false;
   settle();
 }

@@ -333,6 +333,11 @@ void Runner::send(int port, Frame&& frame) {
   out.edge->send(sent.detach());
 }
 
+void Runner::run_parts(int count, Workers::Part part, const void* context) {
+  if (workers_) return workers_->run(count, part, context);
+  for (int i = 0; i < count; ++i) part(context, i);
+}
+
 int Runner::room(int port) const {
   const Out& out = outputs_[static_cast<size_t>(port)];
   return out.edge ? out.edge->room() : ipc::kMaxBuffers;

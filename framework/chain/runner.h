@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "framework/chain/edge.h"
+#include "framework/chain/workers.h"
 #include "framework/link/call.h"
 #include "framework/link/link.h"
 #include "framework/usecase/use_case.h"
@@ -55,6 +56,8 @@ class Runner final : public Call {
   void connect_input(int port, Edge& edge, bool feedback, bool exact);
   /// `pools`: one for every buffer of a frame made here; empty where the output forwards. `edge` may be null.
   void connect_output(int port, Edge* edge, std::vector<Pool*> pools, bool preloaded);
+  /// Those of the core, while it has threads; null: it works alone.
+  void set_workers(Workers* workers) { workers_ = workers; }
   void set_calls_without_room(bool value) { calls_without_room_ = value; }
 
   const std::string& name() const { return name_; }
@@ -90,6 +93,8 @@ class Runner final : public Call {
   void captured(uint64_t sets) override { counters_.captured.add(sets); }
   void wake_at(int64_t time_ns) override { wake_at_ns_ = time_ns; }
   void end() override { request_end(); }
+  int cpus() const override { return workers_ ? workers_->cpus() : 1; }
+  void run_parts(int count, Workers::Part part, const void* context) override;
 
  private:
   enum class State { kIdle, kRunning, kFinishing, kEnded };
@@ -147,6 +152,7 @@ class Runner final : public Call {
   ipc::Message trigger_;  // of the call's first input: gives sequence and times to what is made
   int64_t now_ns_ = 0;
   int64_t wake_at_ns_ = 0;
+  Workers* workers_ = nullptr;
   RunnerCounters counters_;
 };
 

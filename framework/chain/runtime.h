@@ -31,6 +31,8 @@ struct Chain::Runtime {
   std::vector<int> position;                     // of a link on its core
 
   std::vector<std::thread> threads;
+  std::vector<std::unique_ptr<Workers>>
+      workers;                 // of the cores that have more than one CPU, while threads run
   bool links_started = false;  // at least one: stop() has something to do
   bool all_started = false;
   int64_t started_ns = 0;

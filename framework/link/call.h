@@ -34,6 +34,17 @@ class Call {
   /// literal.
   virtual void drop(const char* reason, uint64_t count = 1) = 0;
 
+  /// CPUs of the link's core that are there to share its work.
+  virtual int cpus() const = 0;
+  /// Runs part(0) ... part(count - 1) on all CPUs that the link's core has ("cpus"), in no particular order,
+  /// and returns when all are done; on a core of one CPU, and by hand, one after the other. Parts may throw,
+  /// and must not use the call.
+  template <class Parts>
+  void parallel(int count, const Parts& part) {
+    run_parts(
+        count, [](const void* parts, int i) { (*static_cast<const Parts*>(parts))(i); }, &part);
+  }
+
   // For sources (links without inputs):
   /// Counts sets as captured, dropped ones too.
   virtual void captured(uint64_t sets = 1) = 0;
@@ -41,6 +52,9 @@ class Call {
   virtual void wake_at(int64_t time_ns) = 0;
   /// Nothing follows.
   virtual void end() = 0;
+
+ protected:
+  virtual void run_parts(int count, void (*part)(const void* context, int part), const void* context) = 0;
 };
 
 }  // namespace svchain

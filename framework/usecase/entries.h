@@ -16,6 +16,9 @@ inline const std::vector<std::string> kOnErrorNames = {"stop", "drop"};
 
 constexpr int kDeepestEdge = 64;
 
+/// The key for the cores' CPUs, and their name for --set.
+inline const std::string kCpusKey = "cpus";
+
 /// Names of links and ports: [a-z][a-z0-9_]*.
 bool is_name(const std::string& name);
 

@@ -1,12 +1,15 @@
 #include <algorithm>
+#include <charconv>
 
 #include "framework/usecase/entries.h"
+#include "framework/usecase/soc.h"
 
 namespace svchain {
 
 namespace {
 
-const std::string kForm = "expected LINK.PARAMETER=VALUE, SETTING.KEY=VALUE or SETTING=VALUE";
+const std::string kForm =
+    "expected LINK.PARAMETER=VALUE, SETTING.KEY=VALUE, SETTING=VALUE or cpus.CORE=NUMBER";
 
 const SettingDescription* find(const std::vector<SettingDescription>& settings, const std::string& name) {
   const auto it =
@@ -18,6 +21,7 @@ std::string nobody(const std::string& name, const Catalogue& catalogue, const Us
   std::vector<std::string> names;
   for (const auto& link : use_case.links) names.push_back(link.name);
   for (const auto& setting : catalogue.settings()) names.push_back(setting.name);
+  names.push_back(kCpusKey);
   return "there is no link or setting \"" + name + "\"" + did_you_mean(name, names) + " (" + kForm +
          "; known: " + spoken_list(names) + ")";
 }
@@ -43,6 +47,16 @@ std::string set_parameter(LinkEntry& link, const std::string& parameter, const s
   return wrong;
 }
 
+std::string set_cpus(const std::string& core, const std::string& value, const Origin& origin,
+                     UseCase& use_case) {
+  int cpus = 0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), cpus);
+  if (error != std::errc() || end != value.data() + value.size() || cpus < 1 || cpus > kMostCpus)
+    return "expected a whole number from 1 to " + std::to_string(kMostCpus) + ", got \"" + value + "\"";
+  use_case.cpus.push_back({core, cpus, origin});
+  return {};
+}
+
 std::string apply_one(const std::string& text, const Catalogue& catalogue, UseCase& use_case,
                       const Origin& origin) {
   const auto equals = text.find('=');
@@ -59,6 +73,7 @@ std::string apply_one(const std::string& text, const Catalogue& catalogue, UseCa
   if (const auto* setting = find(catalogue.settings(), name)) {
     return set_setting(*setting, key, value, use_case.settings[name]);
   }
+  if (name == kCpusKey) return set_cpus(key, value, origin, use_case);
   return nobody(name, catalogue, use_case);
 }
 

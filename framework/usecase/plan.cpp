@@ -38,6 +38,18 @@ std::string no_such_core(const std::string& core, const Soc& soc) {
          spoken_list(names) + ")";
 }
 
+/// Later ones, which are the command line's, over earlier ones.
+void set_cpus(Plan& plan, Faults& faults) {
+  for (const CpusEntry& entry : plan.use_case.cpus) {
+    const SocCore* core = plan.soc.find(entry.core);
+    if (core) {
+      plan.soc.cores[static_cast<size_t>(core - plan.soc.cores.data())].cpus = entry.cpus;
+    } else {
+      faults.push_back(entry.origin.fault(no_such_core(entry.core, plan.soc)));
+    }
+  }
+}
+
 void place_links(Plan& plan, Faults& faults) {
   std::vector<const SocCore*> places;
   for (const PlannedLink& planned : plan.links) {
@@ -137,6 +149,7 @@ Plan lay_out(UseCase use_case, Soc soc, const Catalogue& catalogue, Faults& faul
   plan.use_case = std::move(use_case);
   plan.soc = std::move(soc);
   take_links(plan, catalogue);
+  set_cpus(plan, faults);
   place_links(plan, faults);
   take_edges(plan, faults);
   return plan;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "framework/usecase/entries.h"
+#include "framework/usecase/soc.h"
 
 namespace svchain {
 
@@ -113,11 +114,18 @@ Json edge() {
 }  // namespace
 
 std::string use_case_schema(const Catalogue& catalogue) {
-  Json properties = {{"$schema", {{"type", "string"}}},
-                     {"name", {{"type", "string"}}},
-                     {"title", {{"type", "string"}}},
-                     {"soc", {{"type", "string"}, {"description", "name of a SoC, see svchain list socs"}}},
-                     {"plugins", {{"type", "array"}, {"items", {{"type", "string"}}}}}};
+  Json properties = {
+      {"$schema", {{"type", "string"}}},
+      {"name", {{"type", "string"}}},
+      {"title", {{"type", "string"}}},
+      {"soc", {{"type", "string"}, {"description", "name of a SoC, see svchain list socs"}}},
+      {"cpus",
+       {{"type", "object"},
+        {"description",
+         "by core: how many CPUs its links may share their work among, instead "
+         "of what the SoC file says"},
+        {"additionalProperties", {{"type", "integer"}, {"minimum", 1}, {"maximum", kMostCpus}}}}},
+      {"plugins", {{"type", "array"}, {"items", {{"type", "string"}}}}}};
   for (const auto& description : catalogue.settings()) properties[description.name] = setting(description);
   properties["links"] = {{"type", "object"},
                          {"propertyNames", {{"pattern", kNamePattern}}},

@@ -4,6 +4,7 @@
 
 #include "framework/usecase/entries.h"
 #include "framework/usecase/place.h"
+#include "framework/usecase/soc.h"
 
 namespace svchain {
 
@@ -21,9 +22,16 @@ std::vector<std::string> read_plugin_list(const Value& root) {
 }
 
 void check_keys(const Value& root, const Catalogue& catalogue) {
-  std::vector<std::string> keys = {"name", "title", "soc", "plugins", "links", "edges"};
+  std::vector<std::string> keys = {"name", "title", "soc", kCpusKey, "plugins", "links", "edges"};
   for (const auto& setting : catalogue.settings()) keys.push_back(setting.name);
   root.only(keys);
+}
+
+std::vector<CpusEntry> read_cpus(const Value& root) {
+  std::vector<CpusEntry> cpus;
+  for (const auto& [core, value] : members_in_order(root.optional(kCpusKey)))
+    cpus.push_back({core, static_cast<int>(value.integer({1, kMostCpus}, 1)), origin_of(value)});
+  return cpus;
 }
 
 std::map<std::string, Parameters> read_settings(const Value& root, const Catalogue& catalogue) {
@@ -46,6 +54,7 @@ std::vector<LinkEntry> read_links(const Value& root, const Catalogue& catalogue)
   std::vector<LinkEntry> entries;
   for (const auto& [name, value] : members_in_order(links)) {
     entries.push_back(read_link(name, value, catalogue));
+    if (name == kCpusKey) value.fault("a link cannot be named \"" + name + "\": so are the cores' CPUs");
     for (const auto& setting : catalogue.settings()) {
       if (setting.name == name) value.fault("a link cannot be named \"" + name + "\": so is a setting");
     }
@@ -88,6 +97,7 @@ ReadUseCase read(const Document& document, const Catalogue& catalogue,
   use_case.title = root.optional("title").string();
   use_case.soc = root.optional("soc").string();
   use_case.soc_origin = origin_of(root.optional("soc"));
+  use_case.cpus = read_cpus(root);
   use_case.plugins = read_plugin_list(root);
   use_case.settings = read_settings(root, catalogue);
   use_case.links = read_links(root, catalogue);

@@ -44,12 +44,20 @@ struct EdgeEntry {
   std::string name() const { return from_link + "." + from_port + " -> " + to_link + "." + to_port; }
 };
 
+/// How many CPUs a core has in this use case, instead of what the SoC file says.
+struct CpusEntry {
+  std::string core;  // or a role
+  int cpus = 1;
+  Origin origin;
+};
+
 struct UseCase {
   std::string name;
   std::string title;
   std::string file;
   std::string soc;
   Origin soc_origin;
+  std::vector<CpusEntry> cpus;
   std::map<std::string, Parameters> settings;  // by setting name, complete
   std::vector<std::string> plugins;            // resolved against the file's folder
   std::vector<LinkEntry> links;                // in the file's order
@@ -57,7 +65,8 @@ struct UseCase {
   std::vector<EdgeEntry> edges;
 };
 
-/// One `--set LINK.PARAMETER=VALUE` (or SETTING.KEY=VALUE, or SETTING=VALUE for a plain one).
+/// One `--set LINK.PARAMETER=VALUE` (or SETTING.KEY=VALUE, SETTING=VALUE for a plain one, or
+/// cpus.CORE=NUMBER).
 struct Override {
   std::string text;
 };

@@ -42,6 +42,19 @@ TEST_CASE("threads on simulated cores deliver the pixels of the virtual run, in 
   }
 }
 
+TEST_CASE("synthesis on a core of several CPUs delivers the same pixels") {
+  const SurroundView world;
+  const auto expected = world.run(world.plan("2dsv_2dsp"), 20);
+  for (const std::string cpus : {"2", "3"}) {
+    ChainOptions options;
+    options.pace.frames = 20;
+    const auto report = run_with_threads(world.plan("2dsv_2dsp", "tda2x", {"cpus.DSP2=" + cpus}), options);
+    CHECK(report["frames"] == expected["frames"]);
+    CHECK(report["output"]["sha256"] == expected["output"]["sha256"]);
+    CHECK(report["photometric"]["tone_mapping"] == expected["photometric"]["tone_mapping"]);
+  }
+}
+
 TEST_CASE("in real time a link that is too slow makes drops appear at the capture, and no queue grows") {
   const SurroundView world;
   auto text = SurroundView::with_camera_fault("2dsv_2dsp", "front", nlohmann::json::object());

@@ -1,11 +1,11 @@
 #pragma once
 // A LUT spelled out pixel by pixel, for comparing with what it should hold.
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
-#include "algorithms/synthesis/fixed_point.h"
-#include "algorithms/synthesis/geometric_lut.h"
+#include "algorithms/synthesis/lut_pixels.h"
 
 namespace svchain::testing {
 
@@ -36,14 +36,14 @@ struct DecodedTap {
 
 struct DecodedPixel {
   int times_covered = 0;
-  synthesis::SpanKind kind = synthesis::SpanKind::kBlack;
+  synthesis::RegionKind kind = synthesis::RegionKind::kBlack;
   std::array<DecodedTap, 2> taps;
   int weight = 0;
   std::array<uint8_t, 3> background = {};
   uint32_t block = 0;
 
   int tap_count() const {
-    return kind == synthesis::SpanKind::kBlend ? 2 : kind == synthesis::SpanKind::kCamera ? 1 : 0;
+    return kind == synthesis::RegionKind::kBlend ? 2 : kind == synthesis::RegionKind::kCamera ? 1 : 0;
   }
   /// Weight of a camera in this pixel, 0..255.
   int weight_of(int camera) const {
@@ -61,38 +61,27 @@ struct DecodedLut {
 };
 
 inline DecodedLut decode(const synthesis::GeometricLut& lut) {
-  using synthesis::SpanKind;
   DecodedLut decoded{lut.header().width, lut.header().height, {}};
   decoded.pixels.resize(size_t(decoded.width) * decoded.height);
   uint32_t index = 0;
   for (const auto& block : lut.blocks()) {
-    const uint32_t* entries = lut.entries(block);
-    const uint8_t* weights = lut.weights(block);
-    const uint8_t* background = lut.background(block);
-    const auto tap = [&](int source_index) {
-      const auto& source = block.sources[source_index];
-      const uint32_t x = synthesis::entry_x(*entries), y = synthesis::entry_y(*entries);
-      ++entries;
-      return DecodedTap{source.camera, int(source.x + x / 32), int(source.y + y / 32), int(x % 32),
-                        int(y % 32)};
-    };
-    for (const auto& span : lut.spans(block)) {
-      DecodedPixel* run = &decoded.pixels[size_t(block.y + span.row) * decoded.width + block.x + span.start];
-      for (int i = 0; i < span.count; ++i) {
-        ++run[i].times_covered;
-        run[i].kind = span.kind;
-        run[i].block = index;
-      }
-      if (span.kind == SpanKind::kCamera || span.kind == SpanKind::kBlend)
-        for (int i = 0; i < span.count; ++i) run[i].taps[0] = tap(span.first);
-      if (span.kind == SpanKind::kBlend)
-        for (int i = 0; i < span.count; ++i) run[i].taps[1] = tap(span.second);
-      if (span.kind == SpanKind::kBlend)
-        for (int i = 0; i < span.count; ++i) run[i].weight = *weights++;
-      if (span.kind == SpanKind::kBackground)
-        for (int i = 0; i < span.count; ++i)
-          for (uint8_t& channel : run[i].background) channel = *background++;
-    }
+    synthesis::for_each_pixel(lut, block, [&](const synthesis::LutPixel& from) {
+      const synthesis::LutRegion& region = *from.region;
+      const auto tap = [&](int source_index, uint32_t entry) {
+        const auto& source = block.sources[source_index];
+        const uint32_t x = synthesis::entry_x(entry), y = synthesis::entry_y(entry);
+        return DecodedTap{source.camera, int(source.x + x / 32), int(source.y + y / 32), int(x % 32),
+                          int(y % 32)};
+      };
+      DecodedPixel& pixel = decoded.pixels[size_t(from.row) * decoded.width + from.column];
+      ++pixel.times_covered;
+      pixel.kind = region.kind;
+      pixel.block = index;
+      if (region.tap_count() > 0) pixel.taps[0] = tap(region.first, from.first);
+      if (region.tap_count() > 1) pixel.taps[1] = tap(region.second, from.second);
+      pixel.weight = from.weight;
+      if (from.background) std::copy_n(from.background, 3, pixel.background.begin());
+    });
     ++index;
   }
   return decoded;

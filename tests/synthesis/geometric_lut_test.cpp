@@ -1,6 +1,7 @@
 #include "algorithms/synthesis/geometric_lut.h"
 
 #include <cstring>
+#include <map>
 #include <random>
 
 #include "algorithms/synthesis/camera_shares.h"
@@ -142,7 +143,7 @@ TEST_CASE("the vehicle's rectangle is background and nothing else is") {
     for (int row = 0; row < lut.height; ++row)
       for (int column = 0; column < lut.width; ++column) {
         const bool under = is_under_vehicle(rig.vehicle, view.ground_from_pixel({column, row}));
-        wrong += under != (lut.at(column, row).kind == SpanKind::kBackground);
+        wrong += under != (lut.at(column, row).kind == RegionKind::kBackground);
         grey += lut.at(column, row).background[0] > 0;
       }
     CHECK(wrong == 0);
@@ -181,8 +182,8 @@ TEST_CASE("a neighbour fills what a camera does not see of its own zone") {
       const DecodedPixel& pixel = lut.at(column, row);
       if (own) wrong += pixel.tap_count() == 0;
       if (own) continue;
-      if (neighbour) (pixel.kind == SpanKind::kCamera && pixel.taps[0].camera != 3 ? filled : wrong) += 1;
-      if (!in_neighbour || past_body <= 0) (pixel.kind == SpanKind::kBlack ? black : wrong) += 1;
+      if (neighbour) (pixel.kind == RegionKind::kCamera && pixel.taps[0].camera != 3 ? filled : wrong) += 1;
+      if (!in_neighbour || past_body <= 0) (pixel.kind == RegionKind::kBlack ? black : wrong) += 1;
     }
   CHECK(wrong == 0);
   CHECK(filled > 100);
@@ -217,7 +218,7 @@ TEST_CASE("a binary blend with a width shows one camera everywhere, and samples 
   for (size_t i = 0; i < of_binary.pixels.size(); ++i) {
     const DecodedPixel &shown = of_binary.pixels[i], &mixed = of_smooth.pixels[i];
     wrong += shown.kind != mixed.kind;
-    if (shown.kind != SpanKind::kBlend) continue;
+    if (shown.kind != RegionKind::kBlend) continue;
     ++blends;
     wrong += shown.weight != (mixed.weight > 127 ? 255 : 0);
     wrong += shown.taps[0].camera != mixed.taps[0].camera || shown.taps[0].px() != mixed.taps[0].px();
@@ -237,6 +238,38 @@ TEST_CASE("a LUT reads the same at another address") {
     return p.kind == q.kind && p.weight == q.weight && p.background == q.background &&
            p.taps[0].px() == q.taps[0].px() && p.taps[1].py() == q.taps[1].py();
   }));
+}
+
+TEST_CASE("a block's rows are what its pixels take of their sources, and no more") {
+  const auto rig = four_cameras({640, 360});
+  const OwnedLut owned(rig, view_of(rig, {220, 270}));
+  const GeometricLut lut = owned.lut();
+  size_t listed = 0;
+  for (const LutBlock& block : lut.blocks()) {
+    std::map<std::array<int, 2>, std::array<int, 2>> expected;  // source and row to first and last pixel
+    for_each_pixel(lut, block, [&](const LutPixel& pixel) {
+      for (int i = 0; i < pixel.region->tap_count(); ++i) {
+        const int source = i == 0 ? pixel.region->first : pixel.region->second;
+        const uint32_t entry = i == 0 ? pixel.first : pixel.second;
+        const int x = static_cast<int>(entry_x(entry) / 32), y = static_cast<int>(entry_y(entry) / 32);
+        for (const int row : {y, y + 1}) {
+          const auto found = expected.try_emplace({source, row}, std::array{x, x + 1}).first;
+          found->second = {std::min(found->second[0], x), std::max(found->second[1], x + 1)};
+        }
+      }
+    });
+    size_t n = 0;
+    for (int source = 0; source < int(block.source_count); ++source)
+      for (int y = 0; y < block.sources[source].height; ++y, ++n) {
+        const LutRow& row = lut.rows(block)[n];
+        const auto found = expected.find({source, y});
+        REQUIRE((row.count > 0) == (found != expected.end()));
+        if (row.count > 0) CHECK(std::array<int, 2>{row.start, row.start + row.count - 1} == found->second);
+      }
+    CHECK(n == block.row_count);
+    listed += n;
+  }
+  CHECK(listed > 1000);
 }
 
 TEST_CASE("memory that holds no whole LUT is refused") {
@@ -268,6 +301,24 @@ TEST_CASE("memory that holds no whole LUT is refused") {
   }
   SECTION("with an endless list of spans") {
     blocks[2].span_count = 0xFFFFFFFF;
+  }
+  SECTION("with an endless list of regions") {
+    blocks[2].region_count = 0xFFFFFFFF;
+  }
+  SECTION("with an endless list of rows") {
+    blocks[2].row_count = 0xFFFFFFFF;
+  }
+  SECTION("with rows that are wider than their box") {
+    reinterpret_cast<LutRow*>(memory.data() + blocks[0].rows_at)->count = 2000;
+  }
+  SECTION("with a span beyond its block") {
+    reinterpret_cast<LutSpan*>(memory.data() + blocks[0].spans_at)->start = 39;
+  }
+  SECTION("with a region that has not the pixels of its spans") {
+    reinterpret_cast<LutRegion*>(memory.data() + blocks[0].regions_at)->pixels += 1;
+  }
+  SECTION("with a region of a camera that the block does not take") {
+    reinterpret_cast<LutRegion*>(memory.data() + blocks[0].regions_at)->first = 4;
   }
   SECTION("with a box beyond the image") {
     blocks[0].sources[0].x = 639;

@@ -78,8 +78,8 @@ void for_each_defined_value(const DecodedLut& lut, const std::vector<cv::Mat>& f
         for (int i = 0; i < pixel.tap_count(); ++i)
           mapped[i] = mapping.curves[pixel.taps[i].camera][c]
                                     [defined_sample(frames[pixel.taps[i].camera], pixel.taps[i], c)];
-        if (pixel.kind == SpanKind::kCamera) value = mapped[0];
-        if (pixel.kind == SpanKind::kBlend)
+        if (pixel.kind == RegionKind::kCamera) value = mapped[0];
+        if (pixel.kind == RegionKind::kBlend)
           value = static_cast<int>(
               std::lround((mapped[0] * pixel.weight + mapped[1] * (255 - pixel.weight)) / 255.0));
         f(column, row, c, value);
@@ -165,7 +165,7 @@ TEST_CASE("falloff multiplies samples by 1 + a1 q^2 + a2 q^4 before the curve, t
   for (int row = 0; row < f.decoded.height; ++row)
     for (int column = 0; column < f.decoded.width; ++column) {
       const DecodedPixel& pixel = f.decoded.at(column, row);
-      if (pixel.kind != SpanKind::kCamera) continue;
+      if (pixel.kind != RegionKind::kCamera) continue;
       const DecodedTap& tap = pixel.taps[0];
       const Eigen::Vector2d centre = (kImage.cast<double>().array() - 1) / 2;
       const double q2 = (Eigen::Vector2d(tap.px(), tap.py()) - centre).squaredNorm() / (160.0 * 160.0);
@@ -191,7 +191,7 @@ TEST_CASE("the LUT tells where in their images two cameras see a block they shar
     double a = 0, b = 0;
     int pixels = 0;
     for (const DecodedPixel& pixel : f.decoded.pixels) {
-      if (pixel.kind != SpanKind::kBlend || pixel.block != overlap.block ||
+      if (pixel.kind != RegionKind::kBlend || pixel.block != overlap.block ||
           pixel.taps[0].camera != overlap.camera_a)
         continue;
       const Eigen::Vector2d centre = (kImage.cast<double>().array() - 1) / 2;
@@ -255,7 +255,7 @@ TEST_CASE("statistics are the sums over all pixels that blend, block by block an
 
   std::map<std::array<uint32_t, 3>, OverlapBlock> expected;
   for (const DecodedPixel& pixel : f.decoded.pixels) {
-    if (pixel.kind != SpanKind::kBlend) continue;
+    if (pixel.kind != RegionKind::kBlend) continue;
     const auto a = static_cast<uint16_t>(pixel.taps[0].camera),
                b = static_cast<uint16_t>(pixel.taps[1].camera);
     OverlapBlock& block = expected[{pixel.block, a, b}];

@@ -67,6 +67,21 @@ TEST_CASE("an override by --set needs a target that has values") {
   check_fault(faults, "--set nonsense: error", {"expected LINK.PARAMETER=VALUE", "got \"nonsense\""});
 }
 
+TEST_CASE("an override by --set says how many CPUs a core has") {
+  const auto use_case = parse_use_case(R"({"name": "t", "cpus": {"DSP1": 3}, "links":
+    {"a": {"type": "capture", "core": "IPU1"}}})",
+                                       "t.json", testing::fake_catalogue(), {{"cpus.DSP1=2"}});
+  REQUIRE(use_case);
+  REQUIRE(use_case->cpus.size() == 2);
+  CHECK(use_case->cpus[0].cpus == 3);
+  CHECK(use_case->cpus[1].core == "DSP1");
+  CHECK(use_case->cpus[1].cpus == 2);
+  const auto faults = faults_with({"cpus.DSP1=0", "cpus.DSP1=two", "cpus.DSP1=65"});
+  CHECK(faults.size() == 3);
+  check_fault(faults, "--set cpus.DSP1=0: error", {"expected a whole number from 1 to 64, got \"0\""});
+  check_fault(faults, "--set cpus.DSP1=two: error", {"got \"two\""});
+}
+
 TEST_CASE("faults of the file and of --set come together") {
   const auto use_case = parse_use_case(R"({"name": "t", "links": {"a": {"type": "captur", "core": "IPU1"}}})",
                                        "t.json", testing::fake_catalogue(), {{"a.x=1"}, {"b.x=1"}});

@@ -47,6 +47,28 @@ TEST_CASE("a plan lists the cores that are used, in the SoC's order, and resolve
   CHECK(plan.cores[static_cast<size_t>(link(plan, "synthesis").core)].name == "DSP2");
 }
 
+TEST_CASE("a use case gives cores more CPUs than their SoC does, by name or role") {
+  std::string text = testing::kTwoDsps;
+  text.insert(text.find('{') + 1, R"("cpus": {"DSP2": 2, "host": 3},)");
+  const auto plan = plan_of(text);
+  if (!plan) FAIL(plan.error().front().text());
+  const auto cpus = [&](const std::string& of) {
+    return plan->cores[static_cast<size_t>(link(*plan, of).core)].cpus;
+  };
+  CHECK(cpus("synthesis") == 2);
+  CHECK(cpus("display") == 3);
+  CHECK(cpus("capture") == 1);
+}
+
+TEST_CASE("CPUs of a core that the SoC has not are a fault that names the nearest") {
+  std::string text = testing::kTwoDsps;
+  text.insert(text.find('{') + 1, R"("cpus": {"DPS1": 2},)");
+  const auto plan = plan_of(text);
+  REQUIRE_FALSE(plan);
+  CHECK(plan.error().size() == 1);
+  check_fault(plan.error(), "t.json:1:", {"/cpus/DPS1", "has no core \"DPS1\"", "did you mean \"DSP1\"?"});
+}
+
 TEST_CASE("an edge between cores becomes an IPC pair, one within a core does not") {
   const Plan plan = two_dsps();
   CHECK_FALSE(edge(plan, "sync.frames -> dup.in").ipc);

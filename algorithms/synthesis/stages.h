@@ -1,0 +1,55 @@
+#pragma once
+// What a kernel is made of: the steps that synthesis takes with the pixels of one region of a block, each
+// running over plain lists. Internal to synthesis; pure functions over the caller's memory.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "algorithms/synthesis/fixed_point.h"
+#include "algorithms/synthesis/frame_box.h"
+#include "algorithms/synthesis/overlap_statistics.h"
+#include "algorithms/synthesis/tone_mapping.h"
+
+namespace svchain::synthesis {
+
+inline constexpr size_t kBlockPixels = size_t{kBlockSize} * kBlockSize;
+inline constexpr size_t kLargestVector = 64;  // bytes
+static_assert(kBlockPixels % kLargestVector == 0);
+
+/// A region's samples, channel by channel (b, g, r). Stages may also write what lies behind `count` up to the
+/// next multiple of 64; what is there has no meaning.
+struct Samples {
+  alignas(kLargestVector) uint8_t channel[kChannels][kBlockPixels];
+};
+
+/// How a source's falloff is undone.
+struct Falloff {
+  int32_t a1, a2;
+  int32_t centre_x, centre_y;  // of the lens, 1/32 px from the box's top left pixel
+  RadialScale radial;
+};
+
+/// A camera's tone curves, in whatever form a kernel looks them up fastest.
+struct ToneTables {
+  alignas(kLargestVector) uint8_t channel[kChannels][256];
+};
+
+struct Stages {
+  /// Samples at entries of the LUT, black where there is no frame. Reads no byte before the frame's first or
+  /// behind its last, but maybe some between its rows.
+  void (*sample)(const FrameBox& box, const uint32_t* entries, size_t count, Samples& samples);
+  void (*undo_falloff)(const Falloff& falloff, const uint32_t* entries, size_t count, Samples& samples);
+  /// Adds what the samples sum up to.
+  void (*add)(const Samples& samples, size_t count, BlockSamples& into);
+  ToneTables (*tone_tables)(const std::array<ToneMapping::Curve, kChannels>& curves);
+  void (*tone_map)(const ToneTables& tables, size_t count, Samples& samples);
+  /// Blends b into a. `weights` are aligned and padded as samples are.
+  void (*blend)(Samples& a, const Samples& b, const uint8_t* weights, size_t count);
+  /// `count` times b g r; may write up to the next multiple of 64 pixels.
+  void (*pack)(const Samples& samples, size_t count, uint8_t* bgr);
+};
+
+/// The reference.
+extern const Stages kPortableStages;
+
+}  // namespace svchain::synthesis
