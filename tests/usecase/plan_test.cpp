@@ -66,7 +66,8 @@ TEST_CASE("CPUs of a core that the SoC has not are a fault that names the neares
   const auto plan = plan_of(text);
   REQUIRE_FALSE(plan);
   CHECK(plan.error().size() == 1);
-  check_fault(plan.error(), "t.json:1:", {"/cpus/DPS1", "has no core \"DPS1\"", "did you mean \"DSP1\"?"});
+  check_fault(plan.error(), "t.json:1:19: error: /cpus/DPS1",
+              {"has no core \"DPS1\"", "did you mean \"DSP1\"?"});
 }
 
 TEST_CASE("an edge between cores becomes an IPC pair, one within a core does not") {
