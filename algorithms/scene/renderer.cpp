@@ -96,8 +96,9 @@ void add_samples(const Texture& texture, const Samples& samples, int count, int 
   }
 }
 
-/// Wider vectors where the processor has them; the arithmetic, and so every pixel, stays the same.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+/// Wider vectors where the processor has them; the arithmetic, and so every pixel, stays the same. Not under
+/// the thread sanitizer: the choice is made while the program is loaded, before the sanitizer is there.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
 #define SVCHAIN_WIDE __attribute__((target_clones("arch=x86-64-v3", "default"), flatten))
 #else
 #define SVCHAIN_WIDE
@@ -106,7 +107,7 @@ void add_samples(const Texture& texture, const Samples& samples, int count, int 
 /// The light that `count` pixels from `pixel` on receive, as Sensor takes it. Every sample is within the
 /// texture by construction: a span's level reaches wherever the vehicle may go.
 SVCHAIN_WIDE void gather(const SightLines& lines, const Span& span, const Mapping& m, size_t pixel, int count,
-            uint64_t* light) {
+                         uint64_t* light) {
   float centre_u[kMost], centre_v[kMost], u[kMost], v[kMost];
   Samples samples;
   const float* x = &lines.x[pixel];
