@@ -29,30 +29,32 @@ void pause() {
 }  // namespace
 
 void Doorbell::ring() {
-  // Sequentially consistent on both sides (here: epoch, then parked; in wait: parked, then epoch): either the
-  // waiter sees the new epoch, or the ringer sees that it is parked.
-  epoch_.fetch_add(1, std::memory_order_seq_cst);
-  if (parked_.load(std::memory_order_seq_cst) != 0) futex_wake(epoch_);
+  if ((word_.fetch_add(kOneRing, std::memory_order_acq_rel) & kParked) == 0) return;
+  // Those who ring from here on may leave it to this call to wake the waiter.
+  word_.fetch_and(~kParked, std::memory_order_relaxed);
+  futex_wake(word_);
 }
 
 bool Doorbell::wait(uint32_t seen, int spins, std::optional<std::chrono::nanoseconds> timeout) {
   for (int i = 0; i < spins; ++i) {
-    if (epoch_.load(std::memory_order_acquire) != seen) return false;
+    if (epoch() != seen) return false;
     pause();
   }
   if (timeout && timeout->count() <= 0) return false;
-  parked_.store(1, std::memory_order_seq_cst);
-  const bool parks = epoch_.load(std::memory_order_seq_cst) == seen;
-  if (parks) {
-    timespec limit{};
-    if (timeout) {
-      limit.tv_sec = static_cast<time_t>(timeout->count() / 1'000'000'000);
-      limit.tv_nsec = static_cast<long>(timeout->count() % 1'000'000'000);
-    }
-    futex_wait(epoch_, seen, timeout ? &limit : nullptr);
+  uint32_t expected = seen;
+  if (!word_.compare_exchange_strong(expected, seen | kParked, std::memory_order_acq_rel,
+                                     std::memory_order_acquire)) {
+    return false;
   }
-  parked_.store(0, std::memory_order_relaxed);
-  return parks;
+  timespec limit{};
+  if (timeout) {
+    limit.tv_sec = static_cast<time_t>(timeout->count() / 1'000'000'000);
+    limit.tv_nsec = static_cast<long>(timeout->count() % 1'000'000'000);
+  }
+  // Returns at once where the word has changed since, be it only that a ringer took the mark away.
+  futex_wait(word_, seen | kParked, timeout ? &limit : nullptr);
+  word_.fetch_and(~kParked, std::memory_order_relaxed);
+  return true;
 }
 
 }  // namespace svchain::ipc

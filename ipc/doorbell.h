@@ -5,7 +5,7 @@
 //
 // The waiter reads the epoch, looks at everything it might do, and only if there is nothing waits for the
 // epoch to move: a ring between the look and the wait is never lost. ring() costs a system call only when the
-// waiter is parked.
+// waiter is parked, and then only the first: epoch and "somebody is parked" are one word, changed together.
 
 #include <atomic>
 #include <chrono>
@@ -19,15 +19,16 @@ class Doorbell {
   /// Any thread.
   void ring();
 
-  uint32_t epoch() const { return epoch_.load(std::memory_order_acquire); }
+  uint32_t epoch() const { return word_.load(std::memory_order_acquire) & ~kParked; }
 
   /// The one waiter: returns when the epoch is no longer `seen`, or the timeout is over. Spins `spins` times
   /// before it parks; returns true if it had to park.
   bool wait(uint32_t seen, int spins, std::optional<std::chrono::nanoseconds> timeout);
 
  private:
-  std::atomic<uint32_t> epoch_{0};
-  std::atomic<uint32_t> parked_{0};
+  static constexpr uint32_t kParked = 1;
+  static constexpr uint32_t kOneRing = 2;
+  std::atomic<uint32_t> word_{0};
 };
 
 static_assert(std::atomic<uint32_t>::is_always_lock_free);

@@ -7,6 +7,11 @@
 // the race throws its copy away. Slots are read and written as relaxed atomic words, so that such a lost copy
 // is no data race.
 //
+// Whoever goes to sleep over an empty (or full) ring and whoever puts something in (or takes it out) agree on
+// who saw what: head and tail are written, and read, in one order that all see. So a producer need only wake
+// a consumer if, after its push, no other message lies there: size() <= 1. Then the consumer either has seen
+// the message, or is woken. The same goes for room.
+//
 // Ownership: a Ring is a view; the memory belongs to whoever made it and must outlive every view.
 
 #include <algorithm>
@@ -59,17 +64,17 @@ class Ring {
     // acquire: the slot's last reader must be done before it is written again
     if (head - control_->tail.load(std::memory_order_acquire) >= control_->capacity) return false;
     write(slots_[head % control_->capacity], message);
-    control_->head.store(head + 1, std::memory_order_release);  // publishes the slot
+    control_->head.store(head + 1, std::memory_order_seq_cst);  // publishes the slot
     return true;
   }
 
   /// Consumer (or the producer, who so evicts the oldest). False if the ring is empty.
   bool pop(T& message) {
     uint64_t tail = control_->tail.load(std::memory_order_acquire);
-    while (tail != control_->head.load(std::memory_order_acquire)) {
+    while (tail != control_->head.load(std::memory_order_seq_cst)) {
       read(slots_[tail % control_->capacity], message);
-      // release: the copy is finished before the slot is given back
-      if (control_->tail.compare_exchange_weak(tail, tail + 1, std::memory_order_acq_rel,
+      // the copy is finished before the slot is given back
+      if (control_->tail.compare_exchange_weak(tail, tail + 1, std::memory_order_seq_cst,
                                                std::memory_order_acquire)) {
         return true;
       }
@@ -81,14 +86,14 @@ class Ring {
   /// afterwards.
   bool peek(T& message) const {
     const uint64_t tail = control_->tail.load(std::memory_order_acquire);
-    if (tail == control_->head.load(std::memory_order_acquire)) return false;
+    if (tail == control_->head.load(std::memory_order_seq_cst)) return false;
     read(slots_[tail % control_->capacity], message);
     return true;
   }
 
   size_t size() const {
-    const uint64_t tail = control_->tail.load(std::memory_order_acquire);
-    return static_cast<size_t>(control_->head.load(std::memory_order_acquire) - tail);
+    const uint64_t tail = control_->tail.load(std::memory_order_seq_cst);
+    return static_cast<size_t>(control_->head.load(std::memory_order_seq_cst) - tail);
   }
   bool empty() const { return size() == 0; }
   size_t capacity() const { return control_->capacity; }

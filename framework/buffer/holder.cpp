@@ -11,7 +11,7 @@ void ReturnPath::give_back(Pool& pool, uint16_t index) {
   }
   Way& way = ways_[static_cast<size_t>(owner.core)];
   way.ring.push({{pool.id(), index}});
-  way.doorbell->ring();
+  if (way.ring.size() <= 1) way.doorbell->ring();  // else it has been told, and not yet looked
 }
 
 void Holder::drop_reference(ipc::BufferId buffer) {

@@ -40,10 +40,10 @@ class Pool {
   std::optional<uint16_t> take();
   void give_back(uint16_t index);
 
-  void add_reference(uint16_t index) { references_[index].fetch_add(1, std::memory_order_relaxed); }
+  void add_reference(uint16_t index) { references_[index].count.fetch_add(1, std::memory_order_relaxed); }
   /// True for the last one. acq_rel: every holder's reads come before the next writer's writes.
   bool drop_reference(uint16_t index) {
-    return references_[index].fetch_sub(1, std::memory_order_acq_rel) == 1;
+    return references_[index].count.fetch_sub(1, std::memory_order_acq_rel) == 1;
   }
   void note_held(uint16_t index, size_t holder, int change);
 
@@ -56,18 +56,22 @@ class Pool {
   size_t held_by(size_t holder) const;
 
  private:
+  /// A cache line each: neighbours are counted on different cores.
+  struct alignas(64) References {
+    std::atomic<uint32_t> count{0};
+  };
+
   uint16_t id_;
   std::string name_;
   Format format_;
   PoolOwner owner_;
   size_t buffers_;
-  size_t holders_;
   size_t stride_;
   size_t high_water_ = 0;
   ipc::SharedRegion region_;
-  std::atomic<uint32_t>* references_ = nullptr;  // in the region, by index
+  References* references_ = nullptr;  // in the region, by index
   std::atomic<uint16_t>* held_ =
-      nullptr;  // in the region, [index][holder]; each written by its holder's core only
+      nullptr;  // in the region, [holder][index]; each written by its holder's core only
   std::byte* payload_ = nullptr;
   std::vector<uint16_t> free_;
 };

@@ -10,6 +10,11 @@ Core::Core(int index, std::string name, ipc::Doorbell& doorbell, const Clock& cl
   ready_.reserve(static_cast<size_t>(runners));
 }
 
+void Core::add(Runner& runner) {
+  if (runner.is_source()) sources_.push_back(runners_.size());
+  runners_.push_back(&runner);
+}
+
 bool Core::step(const Choice& choice) {
   if (const uint32_t epoch = doorbell_.epoch(); epoch != seen_epoch_) {
     seen_epoch_ = epoch;
@@ -17,9 +22,8 @@ bool Core::step(const Choice& choice) {
   }
   if (!now_is_fresh_) now_ns_ = clock_.now_ns();
   now_is_fresh_ = false;
-  for (size_t i = 0; i < runners_.size(); ++i) {
-    if (runners_[i]->is_source() && runners_[i]->wake_time_ns() <= now_ns_)
-      attention_.mark(static_cast<int>(i));
+  for (const size_t source : sources_) {
+    if (runners_[source]->wake_time_ns() <= now_ns_) attention_.mark(static_cast<int>(source));
   }
   Runner* runner = next_ready(choice);
   if (!runner) return false;
@@ -71,9 +75,10 @@ void Core::loop(int spins, bool parks) {
 
 std::optional<int64_t> Core::next_wake_ns() const {
   std::optional<int64_t> earliest;
-  for (Runner* runner : runners_) {
-    if (!runner->is_source() || runner->waiting(now_ns_).what != Runner::Wait::kTime) continue;
-    if (!earliest || runner->wake_time_ns() < *earliest) earliest = runner->wake_time_ns();
+  for (const size_t source : sources_) {
+    Runner& runner = *runners_[source];
+    if (runner.waiting(now_ns_).what != Runner::Wait::kTime) continue;
+    if (!earliest || runner.wake_time_ns() < *earliest) earliest = runner.wake_time_ns();
   }
   return earliest;
 }

@@ -27,7 +27,7 @@ class Core {
 
   // Before the chain runs:
   /// In the order of precedence; `position` of the first is 0.
-  void add(Runner& runner) { runners_.push_back(&runner); }
+  void add(Runner& runner);
   void add_returns(ipc::Ring<ReturnedBuffer> ring) { returns_.push_back(ring); }
   void set_pools(const PoolTable& pools) { pools_ = &pools; }
 
@@ -65,7 +65,8 @@ class Core {
   const Clock& clock_;
   Attention attention_;
   std::vector<Runner*> runners_;
-  std::vector<Runner*> ready_;  // scratch for a choice
+  std::vector<size_t> sources_;  // positions of those that call themselves
+  std::vector<Runner*> ready_;   // scratch for a choice
   std::vector<ipc::Ring<ReturnedBuffer>> returns_;
   const PoolTable* pools_ = nullptr;
 

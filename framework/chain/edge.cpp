@@ -41,7 +41,8 @@ void Edge::push(const ipc::Message& message) {
   ring_.push(
       message);  // never full: depth is kept by room() and the policies, and the end has a slot of its own
   if (message.kind == ipc::MessageKind::kFrame) messages_.add();
-  tell(consumer_);
+  const auto was_empty = [this] { return ring_.size() <= 1; };
+  if (!ipc_ || was_empty()) tell(consumer_);
 }
 
 void Edge::evict_to(size_t kept, const char* reason) {
@@ -59,7 +60,8 @@ void Edge::drop(const ipc::Message& message, const char* reason) {
 bool Edge::take(ipc::Message& message) {
   if (!ring_.pop(message)) return false;
   if (ipc_ && message.kind == ipc::MessageKind::kFrame) hop_.record(clock_.now_ns() - message.sent_ns);
-  tell(producer_);
+  const auto was_full = [this] { return ring_.size() + 1 >= static_cast<size_t>(depth_); };
+  if (!ipc_ || was_full()) tell(producer_);
   return true;
 }
 

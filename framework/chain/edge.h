@@ -1,7 +1,7 @@
 #pragma once
 // An edge at run time: a bounded ring of messages from one link to another, and what to do when it is full.
-// Between two links of one core it is just that; between cores it is an IPC pair, and whoever changes it
-// rings the other's doorbell.
+// Between two links of one core it is just that; between cores it is an IPC pair: who puts a message where
+// none was, or takes one where there was no room, rings the other's doorbell.
 //
 // Thread rule: the functions of the producer on its core, those of the consumer on its core.
 

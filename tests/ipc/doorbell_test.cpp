@@ -33,3 +33,16 @@ TEST_CASE("a shared region is zeroed and moves with its owner") {
   CHECK(region.bytes().empty());
   CHECK(other.bytes()[0] == std::byte{42});
 }
+
+TEST_CASE("a bell that was rung while its waiter was parked is ready for the next wait") {
+  Doorbell bell;
+  for (int i = 0; i < 3; ++i) {
+    const uint32_t seen = bell.epoch();
+    CHECK(bell.wait(seen, 0, 1ms));  // parks, and nobody rings
+    CHECK(bell.epoch() == seen);
+    bell.ring();
+    bell.ring();
+    CHECK(bell.epoch() != seen);
+    CHECK_FALSE(bell.wait(seen, 0, std::nullopt));
+  }
+}
