@@ -32,7 +32,7 @@ class PhotometricAlignmentLink final : public Link {
     d.parameters = {
         boolean("enabled", true, "false: every camera's values stay as they are"),
         boolean("falloff", true, "undo the cameras' falloff towards the rim where the overlaps show it"),
-        number("smoothing", 0.02, {0.001, 1}, "",
+        number("smoothing", photometric::AlignmentSettings{}.smoothing, {0.001, 1}, "",
                "share of the way to a new estimate that is gone with every frame; 1: at once")};
     return d;
   }

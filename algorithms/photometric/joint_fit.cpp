@@ -29,7 +29,7 @@ constexpr double kLeastScale = 0.3, kLargestScale = 3;
 /// picture's rim 1 and more.
 constexpr double kFalloffShows = 0.2, kFalloffShowsNoMore = 0.1;
 
-constexpr double kSumStiffness = 1e5;
+constexpr double kSumStiffness = 1e7;
 constexpr double kFixed = 1e8;
 
 double square(double x) {

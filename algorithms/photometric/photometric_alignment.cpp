@@ -70,7 +70,7 @@ const synthesis::ToneMapping& PhotometricAlignment::update(const synthesis::Over
   contradicting_ = fit_.contradicting();
   for_each_knot(curves_, settings_.cameras,
                 [](double& s) { s = std::clamp(s, -kLargestLogGain, kLargestLogGain); });
-  tone_mapping_ = photometric::tone_mapping(curves_);
+  tone_mapping_ = photometric::tone_mapping(curves_, settings_.cameras);
   return tone_mapping_;
 }
 

@@ -79,9 +79,9 @@ double slope_at(const ToneCurves::Knots& knots, const KnotPlace& place) {
   return (knots[place.knot + 1] - knots[place.knot]) / (levels[place.knot + 1] - levels[place.knot]);
 }
 
-ToneMapping tone_mapping(const ToneCurves& curves) {
-  ToneMapping mapping;
-  for (size_t camera = 0; camera < synthesis::kMaxCameras; ++camera) {
+ToneMapping tone_mapping(const ToneCurves& curves, size_t cameras) {
+  ToneMapping mapping = ToneMapping::identity();
+  for (size_t camera = 0; camera < cameras; ++camera) {
     for (size_t c = 0; c < synthesis::kChannels; ++c)
       mapping.curves[camera][c] = curve_of(curves.log_gain[camera][c]);
     mapping.falloff[camera] = polynomial_of(curves.log_falloff[camera]);

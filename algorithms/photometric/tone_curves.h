@@ -38,6 +38,7 @@ double slope_at(const ToneCurves::Knots& knots, const KnotPlace& place);
 
 /// The tables that synthesis reads: rounded, within 0..255, never falling; 0 stays 0. Falloff is the
 /// polynomial 1 + a1 q^2 + a2 q^4 nearest to it up to q^2 = 1.2, and none where it is below 1 % everywhere.
-synthesis::ToneMapping tone_mapping(const ToneCurves& curves);
+/// Of the first `cameras`; all others keep their values.
+synthesis::ToneMapping tone_mapping(const ToneCurves& curves, size_t cameras);
 
 }  // namespace svchain::photometric

@@ -93,7 +93,7 @@ void add_real(Result<calibration::CalibrationInput> input, const std::string& na
 double share_of_synthesis() {
   const PhotometricSet set = simulated_photometric_set(kUnlikeCameras, 1);
   const PhotometricMeasurement measurement(set);
-  photometric::PhotometricAlignment alignment({4, measurement.statistics().capacity, 0.02, true});
+  photometric::PhotometricAlignment alignment({.most_blocks = measurement.statistics().capacity});
   std::vector<double> ratios;
   const auto seconds = [](auto work) {
     const auto begin = std::chrono::steady_clock::now();
@@ -102,7 +102,10 @@ double share_of_synthesis() {
   };
   for (int i = 0; i < 101; ++i) {
     const double update = seconds([&] { alignment.update(measurement.statistics()); });
-    ratios.push_back(update / seconds([&] { measurement.composite(synthesis::ToneMapping::identity()); }));
+    ratios.push_back(update / seconds([&] {
+                       measurement.composite(synthesis::ToneMapping::identity(),
+                                             synthesis::Kernel::kPortable);
+                     }));
   }
   std::nth_element(ratios.begin(), ratios.begin() + 50, ratios.end());
   return ratios[50];

@@ -47,7 +47,7 @@ ToneMapping::Curve inverse_curve(const scene::Response& response, size_t channel
 }
 
 ToneMapping ours(const OverlapStatistics& statistics, bool falloff) {
-  photometric::PhotometricAlignment alignment({4, statistics.capacity, 0.02, falloff});
+  photometric::PhotometricAlignment alignment({.most_blocks = statistics.capacity, .falloff = falloff});
   return alignment.update(statistics);
 }
 
@@ -73,9 +73,9 @@ PhotometricMeasurement::PhotometricMeasurement(const PhotometricSet& set) : set_
   cv::extractChannel(apart, shown_, 0);
 }
 
-cv::Mat PhotometricMeasurement::composite(const ToneMapping& mapping) const {
+cv::Mat PhotometricMeasurement::composite(const ToneMapping& mapping, synthesis::Kernel kernel) const {
   cv::Mat out(before_.size(), CV_8UC3);
-  synthesis::synthesize(*lut_, set_.frames, mapping, out, nullptr);
+  synthesis::synthesize(*lut_, set_.frames, mapping, out, nullptr, kernel);
   return out;
 }
 

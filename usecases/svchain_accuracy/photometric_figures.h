@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algorithms/synthesis/geometric_lut.h"
+#include "algorithms/synthesis/kernel.h"
 #include "algorithms/synthesis/overlap_statistics.h"
 #include "usecases/svchain_accuracy/photometric_set.h"
 
@@ -33,7 +34,8 @@ class PhotometricMeasurement {
   /// ours without and with falloff.
   std::vector<PhotometricFigures> measure_all() const;
 
-  cv::Mat composite(const synthesis::ToneMapping& mapping) const;
+  cv::Mat composite(const synthesis::ToneMapping& mapping,
+                    synthesis::Kernel kernel = synthesis::best_kernel()) const;
   const synthesis::OverlapStatistics& statistics() const { return *statistics_; }
 
  private:

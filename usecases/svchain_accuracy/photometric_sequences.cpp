@@ -25,7 +25,7 @@ class Loop {
         lut_memory_(synthesis::geometric_lut_capacity(view_, 4)),
         statistics_memory_(OverlapStatistics::bytes_for(view_)),
         statistics_(OverlapStatistics::create(statistics_memory_)),
-        alignment_({4, statistics_->capacity, 0.02, true}),
+        alignment_({.most_blocks = statistics_->capacity}),
         composite_(view_.size_px.y(), view_.size_px.x(), CV_8UC3),
         frames_(4) {
     synthesis::build_geometric_lut(scene.rig, view_, {}, lut_memory_);
