@@ -5,6 +5,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "ipc/pause.h"
+
 namespace svchain::ipc {
 
 namespace {
@@ -16,14 +18,6 @@ void futex_wake(std::atomic<uint32_t>& word) {
 
 void futex_wait(std::atomic<uint32_t>& word, uint32_t seen, const timespec* timeout) {
   syscall(SYS_futex, reinterpret_cast<uint32_t*>(&word), FUTEX_WAIT, seen, timeout, nullptr, 0);
-}
-
-void pause() {
-#if defined(__x86_64__)
-  __builtin_ia32_pause();
-#elif defined(__aarch64__)
-  asm volatile("yield");
-#endif
 }
 
 }  // namespace

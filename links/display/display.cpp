@@ -6,7 +6,6 @@
 #include "links/display/frame_writer.h"
 #include "links/display/pixel_hash.h"
 #include "links/picture_parameters.h"
-#include "links/shown_frame.h"
 
 namespace svchain {
 
@@ -43,10 +42,10 @@ class Display final : public Link {
   }
 
   void process(Call& call) override {
-    if (hash_) hash_->add(hashed_.of(call.input(0)));
+    if (hash_) hash_->add(shown_.of(call.input(0)));
     if (!writer_) return;
     try {
-      writer_->write(call.take(0));
+      writer_->write(call.take(0), shown_);
     } catch (...) {
       writer_.reset();  // with what it has begun
       throw;
@@ -67,7 +66,7 @@ class Display final : public Link {
   std::string output_;
   std::unique_ptr<FrameWriter> writer_;
   std::optional<PixelHash> hash_;
-  ShownFrame hashed_;
+  ShownFrame shown_;
 };
 
 }  // namespace

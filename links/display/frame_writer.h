@@ -10,6 +10,7 @@
 
 #include "algorithms/json/fault.h"
 #include "framework/buffer/frame.h"
+#include "links/shown_frame.h"
 
 namespace svchain {
 
@@ -18,7 +19,8 @@ class FrameWriter {
   virtual ~FrameWriter() = default;
   /// Frames that it keeps beyond a call of write().
   virtual int holds() const { return 0; }
-  virtual void write(Frame&& frame) = 0;
+  /// `shown` gives the picture, to those who want it now.
+  virtual void write(Frame&& frame, ShownFrame& shown) = 0;
   virtual void finish() {}
 };
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "links/display/temporary_file.h"
-#include "links/shown_frame.h"
 
 namespace svchain {
 
@@ -30,7 +29,7 @@ class LastFrameWriter final : public FrameWriter {
  public:
   explicit LastFrameWriter(fs::path file) : file_(std::move(file)) {}
   int holds() const override { return 1; }
-  void write(Frame&& frame) override { last_ = std::move(frame); }
+  void write(Frame&& frame, ShownFrame&) override { last_ = std::move(frame); }
   void finish() override {
     if (!last_) return;
     std::vector<uchar> encoded;
@@ -47,11 +46,11 @@ class FolderWriter final : public FrameWriter {
  public:
   explicit FolderWriter(fs::path folder) : folder_(std::move(folder)) {}
 
-  void write(Frame&& frame) override {
+  void write(Frame&& frame, ShownFrame& shown) override {
     if (count_ == 0) make_folder();
     char name[32];
     std::snprintf(name, sizeof(name), "%06llu.png", static_cast<unsigned long long>(count_++));
-    write_png(folder_ / name, shown_.of(frame), encoded_);
+    write_png(folder_ / name, shown.of(frame), encoded_);
   }
 
  private:
@@ -64,7 +63,6 @@ class FolderWriter final : public FrameWriter {
   fs::path folder_;
   uint64_t count_ = 0;
   std::vector<uchar> encoded_;
-  ShownFrame shown_;
 };
 
 }  // namespace

@@ -5,7 +5,6 @@
 
 #include "links/display/temporary_file.h"
 #include "links/quiet_opencv.h"
-#include "links/shown_frame.h"
 
 namespace svchain {
 
@@ -29,11 +28,11 @@ class VideoWriter final : public FrameWriter {
     temporary_.remove();
   }
 
-  void write(Frame&& frame) override {
+  void write(Frame&& frame, ShownFrame& shown) override {
     if (!writer_.isOpened() && !open()) {
       throw std::runtime_error(temporary_.target().string() + " cannot be opened for writing");
     }
-    writer_.write(shown_.of(frame));
+    writer_.write(shown.of(frame));
     ++count_;
   }
 
@@ -55,7 +54,6 @@ class VideoWriter final : public FrameWriter {
   cv::Size size_;
   cv::VideoWriter writer_;
   uint64_t count_ = 0;
-  ShownFrame shown_;
 };
 
 }  // namespace

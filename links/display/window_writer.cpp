@@ -3,8 +3,6 @@
 #include <cstdlib>
 #include <opencv2/highgui.hpp>
 
-#include "links/shown_frame.h"
-
 namespace svchain {
 
 namespace {
@@ -13,8 +11,8 @@ constexpr const char* kTitle = "svchain";
 
 class WindowWriter final : public FrameWriter {
  public:
-  void write(Frame&& frame) override {
-    cv::imshow(kTitle, picture_.of(frame));
+  void write(Frame&& frame, ShownFrame& picture) override {
+    cv::imshow(kTitle, picture.of(frame));
     cv::waitKey(1);  // lets the window draw itself
     shown_ = true;
   }
@@ -24,7 +22,6 @@ class WindowWriter final : public FrameWriter {
 
  private:
   bool shown_ = false;
-  ShownFrame picture_;
 };
 
 }  // namespace

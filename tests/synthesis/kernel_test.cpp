@@ -11,6 +11,7 @@
 #include "tests/catch.h"
 #include "tests/synthesis/decoded_lut.h"
 #include "tests/synthesis/four_cameras.h"
+#include "tests/synthesis/random_tone_mapping.h"
 
 using namespace svchain;
 using namespace svchain::synthesis;
@@ -46,15 +47,6 @@ class NoisePicture {
   std::unique_ptr<uint8_t[]> bytes_;
   Picture picture_;
 };
-
-ToneMapping random_curves() {
-  std::mt19937 random(5);
-  ToneMapping mapping{};
-  for (auto& camera : mapping.curves)
-    for (auto& curve : camera)
-      for (uint8_t& value : curve) value = static_cast<uint8_t>(random());
-  return mapping;
-}
 
 /// A car, its frames and one composite after the other.
 struct Car {
@@ -99,7 +91,7 @@ struct Car {
   std::vector<std::byte> memory;
   std::vector<NoisePicture> noise;
   std::array<Picture, 4> frames;
-  ToneMapping mapping = random_curves();
+  ToneMapping mapping = random_tone_mapping();
 };
 
 Kernel any_kernel() {
@@ -248,7 +240,7 @@ TEST_CASE("parts refuse statistics that do not expect the LUT's overlaps") {
   Car car(PixelFormat::kBgr8, {202, 244});
   cv::Mat bytes(244, 202, CV_8UC3);
   OverlapStatistics* statistics = OverlapStatistics::create(car.memory);
-  CHECK_THROWS_AS(synthesize_part({}, car.owned.lut(), car.frames, random_curves(),
+  CHECK_THROWS_AS(synthesize_part({}, car.owned.lut(), car.frames, random_tone_mapping(),
                                   colour::bgr_picture(bytes), statistics, best_kernel()),
                   std::invalid_argument);
 }

@@ -8,6 +8,7 @@
 #include "tests/catch.h"
 #include "tests/synthesis/decoded_lut.h"
 #include "tests/synthesis/four_cameras.h"
+#include "tests/synthesis/random_tone_mapping.h"
 
 using namespace svchain;
 using namespace svchain::synthesis;
@@ -38,15 +39,6 @@ cv::Mat random_frame(uint64_t seed) {
 
 std::vector<cv::Mat> random_frames() {
   return {random_frame(1), random_frame(2), random_frame(3), random_frame(4)};
-}
-
-ToneMapping random_tone_mapping() {
-  std::mt19937 random(5);
-  ToneMapping mapping{};
-  for (auto& camera : mapping.curves)
-    for (auto& curve : camera)
-      for (uint8_t& value : curve) value = static_cast<uint8_t>(random());
-  return mapping;
 }
 
 /// The four neighbours of a tap and their weights in 1024ths, as the definition of synthesis has them.

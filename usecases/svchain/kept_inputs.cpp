@@ -23,8 +23,9 @@ void copy(const Frame& frame, KeptInputs::Set& set) {
 
 }  // namespace
 
-KeptInputs::KeptInputs(std::unique_ptr<Link> link) : link_(std::move(link)) {
-  for (const auto& port : link_->describe().inputs) ports_.push_back(port.name);
+KeptInputs::KeptInputs(std::unique_ptr<Link> wrapped) : WrappedLink(std::move(wrapped)) {
+  for (const auto& port : link().describe().inputs) ports_.push_back(port.name);
+  held_.resize(ports_.size());
   last_.resize(ports_.size());
 }
 
@@ -34,11 +35,25 @@ const KeptInputs::Set& KeptInputs::last(const std::string& port) const {
   return last_[static_cast<size_t>(found - ports_.begin())];
 }
 
+/// A link that keeps a frame itself keeps the one that is held here.
+void KeptInputs::configure(Configuration& configuration) {
+  WrappedLink::configure(configuration);
+  for (size_t port = 0; port < ports_.size(); ++port) configuration.holds(static_cast<int>(port), 1);
+}
+
 void KeptInputs::process(Call& call) {
   for (size_t port = 0; port < ports_.size(); ++port) {
-    if (const Frame& frame = call.input(static_cast<int>(port))) copy(frame, last_[port]);
+    if (const Frame& frame = call.input(static_cast<int>(port))) held_[port] = frame.share();
   }
-  link_->process(call);
+  link().process(call);
+}
+
+void KeptInputs::stop() {
+  WrappedLink::stop();
+  for (size_t port = 0; port < ports_.size(); ++port) {
+    if (held_[port]) copy(held_[port], last_[port]);
+    held_[port].release();
+  }
 }
 
 }  // namespace svchain::program

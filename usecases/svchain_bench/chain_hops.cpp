@@ -1,10 +1,8 @@
-#include <future>
-#include <stdexcept>
-
 #include "framework/chain/chain.h"
 #include "usecases/svchain_bench/faults.h"
 #include "usecases/svchain_bench/hop_links.h"
 #include "usecases/svchain_bench/our_hops.h"
+#include "usecases/svchain_bench/threaded_run.h"
 
 namespace svchain::bench {
 
@@ -23,16 +21,9 @@ void run(const Json& use_case, int spins, int frames, Stretch& stretch, RoundTri
   add_hop_links(catalogue, stretch, round_trips);
   Plan plan = value_or_throw(make_plan(value_or_throw(parse_use_case(use_case.dump(), "hops", catalogue)),
                                        value_or_throw(parse_soc(two_cores(spins).dump(), "duo")), catalogue));
-  std::promise<void> finished;
-  ChainOptions options;
-  options.pace.frames = static_cast<uint64_t>(frames);
-  options.on_finished = [&] { finished.set_value(); };
-  Chain chain(std::move(plan), std::move(options));
-  value_or_throw(chain.configure());
-  chain.start();
-  finished.get_future().wait();
-  chain.stop();
-  if (const auto failure = chain.failure()) throw std::runtime_error(failure->text());
+  Pace pace;
+  pace.frames = static_cast<uint64_t>(frames);
+  run_on_threads(std::move(plan), pace);
 }
 
 Stretch stretch_of(int frames) {

@@ -4,6 +4,7 @@
 #include <thread>
 #include <unistd.h>
 
+#include "ipc/pause.h"
 #include "usecases/svchain_bench/other_hops.h"
 #include "usecases/svchain_bench/raw_ring.h"
 
@@ -13,20 +14,12 @@ namespace {
 
 constexpr size_t kCapacity = 64;
 
-void pause() {
-#if defined(__x86_64__)
-  __builtin_ia32_pause();
-#elif defined(__aarch64__)
-  asm volatile("yield");
-#endif
-}
-
 /// Somebody spins until there is something to do.
 struct Spinning {
   void rung() {}
   template <class Ready>
   void until(Ready&& ready) {
-    while (!ready()) pause();
+    while (!ready()) ipc::pause();
   }
 };
 

@@ -1,12 +1,13 @@
-#include <future>
 #include <stdexcept>
 
 #include "framework/chain/chain.h"
+#include "framework/link/wrapped_link.h"
 #include "links/builtin_links.h"
 #include "links/configs_folder.h"
 #include "usecases/svchain_bench/faults.h"
 #include "usecases/svchain_bench/round_trips.h"
 #include "usecases/svchain_bench/surround_view.h"
+#include "usecases/svchain_bench/threaded_run.h"
 
 namespace svchain::bench {
 
@@ -17,25 +18,17 @@ struct Run {
   std::vector<double> latency_ms;
 };
 
-/// Between a link and its core: notes when the link was called, and how old its frame was. Everything else
-/// goes straight through.
-class Noted final : public Link {
+/// Notes when the link was called, and how old its frame was.
+class Noted final : public WrappedLink {
  public:
-  Noted(std::unique_ptr<Link> link, Run& run) : link_(std::move(link)), run_(run) {}
-  LinkDescription describe() const override { return link_->describe(); }
-  void configure(Configuration& configuration) override { link_->configure(configuration); }
-  void start() override { link_->start(); }
+  Noted(std::unique_ptr<Link> link, Run& run) : WrappedLink(std::move(link)), run_(run) {}
   void process(Call& call) override {
     run_.latency_ms.push_back(static_cast<double>(call.now_ns() - call.input(0).captured_ns()) * 1e-6);
-    link_->process(call);
+    link().process(call);
     run_.displayed_ns.push_back(now_ns());
   }
-  bool finish(Call& call) override { return link_->finish(call); }
-  void stop() override { link_->stop(); }
-  void report(nlohmann::json& report) const override { link_->report(report); }
 
  private:
-  std::unique_ptr<Link> link_;
   Run& run_;
 };
 
@@ -58,16 +51,7 @@ Run run(const ParkedCar& car, const Pace& pace) {
   for (PlannedLink& link : plan.links) {
     if (link.entry.type == "display") link.link = std::make_unique<Noted>(std::move(link.link), run);
   }
-  std::promise<void> finished;
-  ChainOptions options;
-  options.pace = pace;
-  options.on_finished = [&] { finished.set_value(); };
-  Chain chain(std::move(plan), std::move(options));
-  value_or_throw(chain.configure());
-  chain.start();
-  finished.get_future().wait();
-  chain.stop();
-  if (const auto failure = chain.failure()) throw std::runtime_error(failure->text());
+  run_on_threads(std::move(plan), pace);
   return run;
 }
 
