@@ -1,6 +1,9 @@
 #pragma once
 // A piece of memory that several processes can map: an anonymous file, zeroed, page-aligned, never on disk.
-// Owns the mapping; move-only. Nothing inside may be a pointer.
+// From 2 MB it lies in huge pages, where the system allows them for shared memory
+// (/sys/kernel/mm/transparent_hugepage/shmem_enabled: "advise" is enough): picture rows are as far apart as
+// small pages, so kernels that walk down a picture need one for every row. Owns the mapping; move-only.
+// Nothing inside may be a pointer.
 
 #include <cstddef>
 #include <span>
@@ -24,7 +27,8 @@ class SharedRegion {
  private:
   void close();
   std::byte* data_ = nullptr;
-  size_t size_ = 0;
+  size_t size_ = 0;    // asked for
+  size_t mapped_ = 0;  // whole huge pages, or as asked for
   int descriptor_ = -1;
 };
 

@@ -72,13 +72,22 @@ constexpr uint8_t clamped(int32_t value) {
 
 using Bgr = std::array<uint8_t, 3>;
 
-/// What a pixel's Y, U, V show; values that no colour has are clamped channel by channel. Sums count 1/32.
-constexpr Bgr bgr_of(const YuvMatrix& m, int32_t y, int32_t u, int32_t v) {
-  const int32_t luma = rounded_product((y - m.offset) * 128, m.of_y) + 16;
+/// What U and V add to every pixel of a group, in 1/32.
+struct Tint {
+  int32_t b, g, r;
+};
+constexpr Tint tint_of(const YuvMatrix& m, int32_t u, int32_t v) {
   const int32_t du = (u - 128) * 128, dv = (v - 128) * 128;
-  return {clamped((luma + rounded_product(du, m.b_of_u)) >> 5),
-          clamped((luma + rounded_product(du, m.g_of_u) + rounded_product(dv, m.g_of_v)) >> 5),
-          clamped((luma + rounded_product(dv, m.r_of_v)) >> 5)};
+  return {rounded_product(du, m.b_of_u), rounded_product(du, m.g_of_u) + rounded_product(dv, m.g_of_v),
+          rounded_product(dv, m.r_of_v)};
+}
+/// What a pixel's Y shows with its group's tint; values that no colour has are clamped channel by channel.
+constexpr Bgr bgr_of(const YuvMatrix& m, int32_t y, const Tint& tint) {
+  const int32_t luma = rounded_product((y - m.offset) * 128, m.of_y) + 16;
+  return {clamped((luma + tint.b) >> 5), clamped((luma + tint.g) >> 5), clamped((luma + tint.r) >> 5)};
+}
+constexpr Bgr bgr_of(const YuvMatrix& m, int32_t y, int32_t u, int32_t v) {
+  return bgr_of(m, y, tint_of(m, u, v));
 }
 
 /// One row of a matrix from RGB. b, g and r count 1/128, so that the mean of two or four pixels is exact.

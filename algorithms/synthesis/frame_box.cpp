@@ -14,6 +14,10 @@ FrameBox::FrameBox(const colour::Picture& frame, const LutSource& box)
     return;
   }
   const colour::YuvLayout layout = format == PixelFormat::kNv12 ? colour::kNv12Layout : colour::kYuyvLayout;
+  end = frame.pixels + (frame.height_px - 1) * pitch + frame.width_px * layout.luma_step;
+  chroma_end = format == PixelFormat::kYuyv
+                   ? end
+                   : frame.chroma + (frame.height_px / layout.rows - 1) * pitch + frame.width_px;
   origin += box.x * layout.luma_step;
   chroma = frame.chroma + box.y / layout.rows * pitch + box.x / 2 * layout.chroma_step;
   odd_x = box.x % 2;

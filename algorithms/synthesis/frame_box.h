@@ -1,10 +1,7 @@
 #pragma once
-// A box of a camera's frame, ready to be read at the places of a LUT, straight from the bytes of its format.
-// YUV is sampled as it is, Y of the pixels and U and V of their groups, each by `bilinear` of fixed_point.h;
-// the sample alone is turned into b, g, r (colour/yuv.h). No frame is ever converted as a whole. Were it,
-// samples would differ by 2 levels at most, except where a group's chroma takes a pixel beyond what RGB holds
-// (blown highlights, edges of strong colours): there every pixel would be clamped, and here the sample is.
-// Borrows the frame; plain value.
+// A box of a camera's frame, ready to be read at the places of a LUT. What a frame in YUV shows is what its
+// pixels show, each turned to b, g, r with the chroma of its group (colour/yuv.h): the composite is byte by
+// byte that of the frame converted as a whole. Borrows the frame; plain value.
 
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +22,9 @@ struct FrameBox {
   size_t pitch = 0;
   const uint8_t* chroma = nullptr;  // U of the box's first group
   uint32_t odd_x = 0, odd_y = 0;    // 1 where the box begins in the middle of a group
-  bool reaches_end = false;         // of the frame: right behind a pixel or group may lie foreign memory
+  bool reaches_end = false;         // of the frame: right behind a pixel may lie foreign memory
+  const uint8_t* end = nullptr;     // behind the frame's last byte, of luma where there is a plane of it
+  const uint8_t* chroma_end = nullptr;
   const colour::YuvMatrix* matrix = nullptr;
 };
 

@@ -21,6 +21,8 @@ struct BlockSamples {
   std::array<uint32_t, kChannels> sum;
   std::array<uint32_t, kChannels> sum_of_squares;
   std::array<uint32_t, kChannels> clipped;  // samples <= 2 or >= 253
+
+  bool operator==(const BlockSamples&) const = default;
 };
 
 /// One block's overlap of two neighbours, clockwise: the pixels that show both of them.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstring>
 
 #include "algorithms/synthesis/stages.h"
@@ -47,33 +48,67 @@ void sample_bgr(const FrameBox& box, const uint32_t* entries, size_t count, Samp
     const Weights weights(x % kOnePixel, y % kOnePixel);
     const auto bgr = weights.mean(pixel_at(upper), pixel_at(upper + kChannels), pixel_at(lower),
                                   pixel_at(lower + kChannels));
-    for (size_t c = 0; c < kChannels; ++c) out[c * kBlockPixels] = bgr[c];
+    for (size_t c = 0; c < kChannels; ++c) out[c * kStagePixels] = bgr[c];
   }
+}
+
+/// A pixel of a YUV box.
+template <YuvLayout kLayout>
+colour::Bgr pixel_of(const FrameBox& box, size_t column, size_t row) {
+  const size_t group = (column + box.odd_x) / 2;
+  const uint8_t* luma = box.origin + row * box.pitch + column * kLayout.luma_step;
+  const uint8_t* u = box.chroma + (row + box.odd_y) / kLayout.rows * box.pitch + group * kLayout.chroma_step;
+  return colour::bgr_of(*box.matrix, *luma, u[0], u[kLayout.v_offset]);
 }
 
 template <YuvLayout kLayout>
 void sample_yuv(const FrameBox& box, const uint32_t* entries, size_t count, Samples& samples) {
-  const colour::YuvMatrix matrix = *box.matrix;
   const FrameBox frame = box;  // a copy, which writing samples cannot change
   uint8_t* out = samples.channel[0];
   for (const uint32_t* const end = entries + count; entries != end; ++entries, ++out) {
     const uint32_t x = entry_x(*entries), y = entry_y(*entries);
-    const uint32_t column = x >> kFractionBits, row = y >> kFractionBits;
-    const uint8_t* luma = frame.origin + row * frame.pitch + column * kLayout.luma_step;
-    const uint8_t* upper = frame.chroma + (row + frame.odd_y) / kLayout.rows * frame.pitch;
-    const uint8_t* lower = frame.chroma + (row + frame.odd_y + 1) / kLayout.rows * frame.pitch;
-    const uint32_t left = (column + frame.odd_x) / 2 * kLayout.chroma_step;
-    const uint32_t right = (column + frame.odd_x + 1) / 2 * kLayout.chroma_step;
-    const auto pixel = [](const uint8_t* y_at, const uint8_t* u_at) {
-      return together(*y_at, *u_at, u_at[kLayout.v_offset]);
+    const auto pixel = [&](uint32_t right, uint32_t down) {
+      return pixel_at(
+          pixel_of<kLayout>(frame, (x >> kFractionBits) + right, (y >> kFractionBits) + down).data());
     };
-    const auto yuv = Weights(x % kOnePixel, y % kOnePixel)
-                         .mean(pixel(luma, upper + left), pixel(luma + kLayout.luma_step, upper + right),
-                               pixel(luma + frame.pitch, lower + left),
-                               pixel(luma + frame.pitch + kLayout.luma_step, lower + right));
-    const colour::Bgr bgr = colour::bgr_of(matrix, yuv[0], yuv[1], yuv[2]);
-    for (size_t c = 0; c < kChannels; ++c) out[c * kBlockPixels] = bgr[c];
+    const auto bgr =
+        Weights(x % kOnePixel, y % kOnePixel).mean(pixel(0, 0), pixel(1, 0), pixel(0, 1), pixel(1, 1));
+    for (size_t c = 0; c < kChannels; ++c) out[c * kStagePixels] = bgr[c];
   }
+}
+
+uint8_t* put(const colour::Bgr& pixel, uint8_t* out) {
+  for (const uint8_t value : pixel) *out++ = value;
+  return out;
+}
+
+/// `count` pixels, `inside` of the first group.
+template <YuvLayout kLayout>
+void turn_run(const colour::YuvMatrix& m, const uint8_t* luma, const uint8_t* u, size_t inside, size_t count,
+              uint8_t* out) {
+  for (; count > 0; u += kLayout.chroma_step, inside = 0) {
+    const colour::Tint tint = colour::tint_of(m, u[0], u[kLayout.v_offset]);
+    for (size_t i = inside; i < 2 && count > 0; ++i, --count, luma += kLayout.luma_step)
+      out = put(colour::bgr_of(m, *luma, tint), out);
+  }
+}
+
+template <YuvLayout kLayout>
+void turn_layout_to_bgr(const FrameBox& box, std::span<const LutRow> rows, uint8_t* bgr, size_t pitch) {
+  const colour::YuvMatrix matrix = *box.matrix;
+  for (size_t y = 0; y < rows.size(); ++y) {
+    const size_t x = rows[y].start;
+    const uint8_t* u = box.chroma + (y + box.odd_y) / kLayout.rows * box.pitch;
+    turn_run<kLayout>(matrix, box.origin + y * box.pitch + x * kLayout.luma_step,
+                      u + (x + box.odd_x) / 2 * kLayout.chroma_step, (x + box.odd_x) % 2, rows[y].count,
+                      bgr + y * pitch + x * kChannels);
+  }
+}
+
+void turn_to_bgr(const FrameBox& yuv, std::span<const LutRow> rows, uint8_t* bgr, size_t pitch) {
+  const bool nv12 = yuv.format == PixelFormat::kNv12;
+  (nv12 ? turn_layout_to_bgr<colour::kNv12Layout> : turn_layout_to_bgr<colour::kYuyvLayout>)(yuv, rows, bgr,
+                                                                                             pitch);
 }
 
 void sample(const FrameBox& box, const uint32_t* entries, size_t count, Samples& samples) {
@@ -139,6 +174,6 @@ void pack(const Samples& samples, size_t count, uint8_t* bgr) {
 
 }  // namespace
 
-const Stages kPortableStages = {sample, undo_falloff, add, tone_tables, tone_map, blend, pack};
+const Stages kPortableStages = {turn_to_bgr, sample, undo_falloff, add, tone_tables, tone_map, blend, pack};
 
 }  // namespace svchain::synthesis

@@ -1,5 +1,7 @@
 #include "algorithms/synthesis/prefetch.h"
 
+#include <algorithm>
+
 namespace svchain::synthesis {
 namespace {
 
@@ -7,12 +9,15 @@ using colour::Picture;
 using colour::PixelFormat;
 
 constexpr uintptr_t kCacheLine = 64;
+enum Purpose { kToRead, kToWrite };
 
-void prefetch_bytes(const uint8_t* begin, size_t count) {
+template <Purpose kPurpose>
+void ask(const uint8_t* begin, size_t count) {
+  constexpr int kSecondLevel = 2;
   const uint8_t* const end = begin + count;
   for (const uint8_t* line = begin - reinterpret_cast<uintptr_t>(begin) % kCacheLine; line < end;
        line += kCacheLine)
-    __builtin_prefetch(line, 0, 3);
+    __builtin_prefetch(line, kPurpose, kSecondLevel);
 }
 
 size_t bytes_per_px(PixelFormat format) {
@@ -21,23 +26,56 @@ size_t bytes_per_px(PixelFormat format) {
 
 }  // namespace
 
-void prefetch(const GeometricLut& lut, const LutBlock& block, std::span<const Picture> frames) {
-  if (block.row_count == 0) return;
-  const LutRow* row = lut.rows(block).data();
-  for (const LutSource& source : std::span(block.sources).first(block.source_count)) {
-    const Picture& frame = frames[source.camera];
-    if (frame.empty()) {
-      row += source.height;
-      continue;
-    }
-    const size_t pixel = bytes_per_px(frame.format);
-    for (size_t y = source.y; y < size_t{source.y} + source.height; ++y, ++row) {
-      if (row->count == 0) continue;
-      const size_t start = size_t{source.x} + row->start;
-      prefetch_bytes(frame.pixels + y * frame.pitch_bytes + start * pixel, row->count * pixel);
-      if (frame.format == PixelFormat::kNv12 && y % 2 == 0)
-        prefetch_bytes(frame.chroma + y / 2 * frame.pitch_bytes + start / 2 * 2, size_t{row->count} + 1);
-    }
+void Prefetch::begin(const LutBlock* block, size_t work) {
+  block_ = block;
+  work_ = work;
+  lines_ = block ? block->row_count + block->height : 0;
+  done_ = asked_ = 0;
+}
+
+void Prefetch::advance(size_t work) {
+  done_ = std::min(done_ + work, work_);
+  ask_until(lines_ * done_ / std::max<size_t>(work_, 1));
+}
+
+void Prefetch::finish() {
+  ask_until(lines_);
+}
+
+void Prefetch::ask_until(size_t line) {
+  if (asked_ >= line) return;
+  size_t begin = 0;  // of a source's lines
+  const LutRow* const rows = lut_.rows(*block_).data();
+  for (uint32_t i = 0; i < block_->source_count && begin < block_->row_count; ++i) {
+    const size_t end = begin + block_->sources[i].height;
+    const size_t from = std::max(asked_, begin), to = std::min(line, end);
+    if (from < to) ask_source(block_->sources[i], rows + begin, from - begin, to - begin);
+    begin = end;
+  }
+  if (line > begin) ask_target(std::max(asked_, begin) - begin, line - begin);
+  asked_ = line;
+}
+
+void Prefetch::ask_source(const LutSource& source, const LutRow* rows, size_t begin, size_t end) const {
+  const Picture& frame = frames_[source.camera];
+  if (frame.empty()) return;
+  const size_t pixel = bytes_per_px(frame.format);
+  for (size_t i = begin; i < end; ++i) {
+    if (rows[i].count == 0) continue;
+    const size_t y = source.y + i, x = size_t{source.x} + rows[i].start;
+    ask<kToRead>(frame.pixels + y * frame.pitch_bytes + x * pixel, rows[i].count * pixel);
+    if (frame.format == PixelFormat::kNv12 && y % 2 == 0)
+      ask<kToRead>(frame.chroma + y / 2 * frame.pitch_bytes + x / 2 * 2, size_t{rows[i].count} + 1);
+  }
+}
+
+void Prefetch::ask_target(size_t begin, size_t end) const {
+  const size_t pixel = bytes_per_px(out_.format);
+  for (size_t i = begin; i < end; ++i) {
+    const size_t y = block_->y + i;
+    ask<kToWrite>(out_.pixels + y * out_.pitch_bytes + block_->x * pixel, block_->width * pixel);
+    if (out_.format == PixelFormat::kNv12 && y % 2 == 0)
+      ask<kToWrite>(out_.chroma + y / 2 * out_.pitch_bytes + block_->x, block_->width);
   }
 }
 

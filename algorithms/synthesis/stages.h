@@ -1,9 +1,10 @@
 #pragma once
-// What a kernel is made of: the steps that synthesis takes with the pixels of one region of a block, each
+// What a kernel is made of: the steps that synthesis takes with some pixels of one region of a block, each
 // running over plain lists. Internal to synthesis; pure functions over the caller's memory.
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "algorithms/synthesis/fixed_point.h"
 #include "algorithms/synthesis/frame_box.h"
@@ -12,14 +13,15 @@
 
 namespace svchain::synthesis {
 
-inline constexpr size_t kBlockPixels = size_t{kBlockSize} * kBlockSize;
 inline constexpr size_t kLargestVector = 64;  // bytes
-static_assert(kBlockPixels % kLargestVector == 0);
+/// So many pixels of a region go through all stages at a time: what one leaves for the next stays near.
+inline constexpr size_t kStagePixels = 320;
+static_assert(kStagePixels % kLargestVector == 0);
 
-/// A region's samples, channel by channel (b, g, r). Stages may also write what lies behind `count` up to the
-/// next multiple of 64; what is there has no meaning.
+/// Samples, channel by channel (b, g, r). Stages may also write what lies behind `count` up to the next
+/// multiple of 64; what is there has no meaning.
 struct Samples {
-  alignas(kLargestVector) uint8_t channel[kChannels][kBlockPixels];
+  alignas(kLargestVector) uint8_t channel[kChannels][kStagePixels];
 };
 
 /// How a source's falloff is undone.
@@ -35,6 +37,9 @@ struct ToneTables {
 };
 
 struct Stages {
+  /// Turns the pixels of a YUV box that `rows` name to b g r, row by row `pitch` bytes apart; `bgr` is the
+  /// box's first pixel. May also write one pixel before and 64 behind each run of a row.
+  void (*turn_to_bgr)(const FrameBox& yuv, std::span<const LutRow> rows, uint8_t* bgr, size_t pitch);
   /// Samples at entries of the LUT, black where there is no frame. Reads no byte before the frame's first or
   /// behind its last, but maybe some between its rows.
   void (*sample)(const FrameBox& box, const uint32_t* entries, size_t count, Samples& samples);

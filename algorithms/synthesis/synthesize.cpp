@@ -1,11 +1,13 @@
 #include "algorithms/synthesis/synthesize.h"
 
+#include <algorithm>
 #include <cstring>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "algorithms/colour/convert.h"
+#include "algorithms/synthesis/converted_boxes.h"
 #include "algorithms/synthesis/prefetch.h"
 #include "algorithms/synthesis/stages.h"
 #include "algorithms/synthesis/vector_stages.h"
@@ -30,6 +32,15 @@ void copy_run(const uint8_t* from, size_t pixels, uint8_t* to) {
     std::memcpy(to, from, pixels * kChannels);
 }
 
+/// A block's, and what the last portion may write behind.
+constexpr size_t kPackedPixels = kBlockSize * kBlockSize + kLargestVector;
+
+/// Calls visit(at, count) for one portion of a region after the other.
+template <class Visit>
+void in_portions(size_t pixels, Visit visit) {
+  for (size_t at = 0; at < pixels; at += kStagePixels) visit(at, std::min(kStagePixels, pixels - at));
+}
+
 /// One block after the other; borrows everything.
 class Synthesis {
  public:
@@ -40,12 +51,15 @@ class Synthesis {
         tone_mapping_(tone_mapping),
         out_(out),
         statistics_(statistics),
-        stages_(kernel == Kernel::kPortable ? kPortableStages : *vector_stages(kernel)) {
+        stages_(kernel == Kernel::kPortable ? kPortableStages : *vector_stages(kernel)),
+        prefetch_(lut, frames, out) {
     for (size_t i = 0; i < frames.size(); ++i) tone_[i] = stages_.tone_tables(tone_mapping.curves[i]);
   }
 
-  void run(const LutBlock& block, uint32_t index) {
+  /// `next`, if any, is the block whose turn comes then.
+  void run(const LutBlock& block, uint32_t index, const LutBlock* next) {
     open(block);
+    prefetch_.begin(next, block.entry_count);
     const Picture target = bgr_target(block);
     const uint32_t* entries = lut_.entries(block);
     const uint8_t* weights = lut_.weights(block);
@@ -73,20 +87,26 @@ class Synthesis {
       spans += region.span_count;
       entries += region.pixels * region.tap_count();
     }
+    prefetch_.finish();
     if (out_.format == PixelFormat::kNv12) colour::yuv_from_bgr(target, nv12_target(block));
     if (statistics_) close(block, index);
   }
 
  private:
   void open(const LutBlock& block) {
+    std::span<const LutRow> rows = lut_.rows(block);
+    converted_.clear();
     for (uint32_t i = 0; i < block.source_count; ++i) {
-      sources_[i] = source_of(block.sources[i]);
+      const size_t height = rows.empty() ? 0 : block.sources[i].height;
+      sources_[i] = source_of(block.sources[i], rows.first(height));
+      rows = rows.subspan(height);
       overlaps_[i] = {};
     }
   }
 
-  Source source_of(const LutSource& box) const {
-    Source source{FrameBox(frames_[box.camera], box), &tone_[box.camera], std::nullopt};
+  Source source_of(const LutSource& box, std::span<const LutRow> rows) {
+    const Picture& frame = frames_[box.camera];
+    Source source{converted_.box(frame, box, rows, stages_), &tone_[box.camera], std::nullopt};
     if (!tone_mapping_.has_falloff(box.camera)) return source;
     const LutHeader& header = lut_.header();
     const auto [a1, a2] = tone_mapping_.falloff[box.camera];
@@ -117,29 +137,35 @@ class Synthesis {
 
   void show_one(const LutRegion& region, const uint32_t* entries) {
     const Source& source = sources_[region.first];
-    stages_.sample(source.frame, entries, region.pixels, first_);
-    tone_map(source, entries, region.pixels, first_);
-    stages_.pack(first_, region.pixels, packed_);
+    in_portions(region.pixels, [&](size_t at, size_t count) {
+      prefetch_.advance(count);
+      stages_.sample(source.frame, entries + at, count, first_);
+      tone_map(source, entries + at, count, first_);
+      stages_.pack(first_, count, packed_ + at * kChannels);
+    });
   }
 
-  void show_both(const LutRegion& region, const uint32_t* entries, const uint8_t* weights) {
-    const size_t count = region.pixels;
+  void show_both(const LutRegion& region, const uint32_t* first, const uint8_t* weights) {
     const Source& a = sources_[region.first];
     const Source& b = sources_[region.second];
-    stages_.sample(a.frame, entries, count, first_);
-    stages_.sample(b.frame, entries + count, count, second_);
-    if (statistics_) {
-      OverlapBlock& overlap = overlaps_[region.first];
-      overlap.pixels = region.pixels;
-      overlap.camera_b = region.second;  // its source as yet
-      stages_.add(first_, count, overlap.a);
-      stages_.add(second_, count, overlap.b);
-    }
-    tone_map(a, entries, count, first_);
-    tone_map(b, entries + count, count, second_);
-    std::memcpy(weights_, weights, count);
-    stages_.blend(first_, second_, weights_, count);
-    stages_.pack(first_, count, packed_);
+    const uint32_t* second = first + region.pixels;
+    OverlapBlock& overlap = overlaps_[region.first];
+    overlap.pixels = region.pixels;
+    overlap.camera_b = region.second;  // its source as yet
+    in_portions(region.pixels, [&](size_t at, size_t count) {
+      prefetch_.advance(2 * count);
+      stages_.sample(a.frame, first + at, count, first_);
+      stages_.sample(b.frame, second + at, count, second_);
+      if (statistics_) {
+        stages_.add(first_, count, overlap.a);
+        stages_.add(second_, count, overlap.b);
+      }
+      tone_map(a, first + at, count, first_);
+      tone_map(b, second + at, count, second_);
+      std::memcpy(weights_, weights + at, count);
+      stages_.blend(first_, second_, weights_, count);
+      stages_.pack(first_, count, packed_ + at * kChannels);
+    });
   }
 
   void tone_map(const Source& source, const uint32_t* entries, size_t count, Samples& samples) const {
@@ -177,13 +203,15 @@ class Synthesis {
   const Picture& out_;
   OverlapStatistics* statistics_;
   const Stages& stages_;
+  Prefetch prefetch_;
+  ConvertedBoxes converted_;
   std::array<ToneTables, kMaxCameras> tone_;
   std::array<Source, 4> sources_;
   std::array<OverlapBlock, 4> overlaps_;
   Samples first_;
   Samples second_;
-  alignas(kLargestVector) uint8_t weights_[kBlockPixels];
-  alignas(kLargestVector) uint8_t packed_[kBlockPixels * kChannels];
+  alignas(kLargestVector) uint8_t weights_[kStagePixels];
+  alignas(kLargestVector) uint8_t packed_[kPackedPixels * kChannels];
   uint8_t tile_[kBlockSize][kBlockSize * kChannels];
 };
 static_assert(kBlockSize % 2 == 0);
@@ -236,8 +264,8 @@ void synthesize_part(const Part& part, const GeometricLut& lut, std::span<const 
   const size_t begin = blocks.size() * part.index / part.count;
   const size_t end = blocks.size() * (part.index + 1) / part.count;
   for (size_t i = begin; i < end; ++i) {
-    if (i + 1 < end) prefetch(lut, blocks[i + 1], frames);
-    synthesis.run(blocks[i], static_cast<uint32_t>(i));
+    const LutBlock* next = i + 1 < end ? &blocks[i + 1] : nullptr;
+    synthesis.run(blocks[i], static_cast<uint32_t>(i), next);
   }
 }
 

@@ -18,8 +18,10 @@
 namespace svchain::synthesis {
 namespace {
 
+/// Asked once: in a virtual machine every question to the processor is a trap.
 bool processor_has(int64_t target) {
-  return (hwy::SupportedTargets() & target) != 0;
+  static const int64_t kSupported = hwy::SupportedTargets();
+  return (kSupported & target) != 0;
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "ipc/doorbell.h"
 
-#include "ipc/shared_region.h"
 #include "tests/catch.h"
 
 using namespace svchain::ipc;
@@ -22,16 +21,6 @@ TEST_CASE("a wait ends when its time is over") {
 TEST_CASE("a wait whose time is over already does not park") {
   Doorbell bell;
   CHECK_FALSE(bell.wait(bell.epoch(), 1, 0ns));
-}
-
-TEST_CASE("a shared region is zeroed and moves with its owner") {
-  SharedRegion region("test", 10'000);
-  REQUIRE(region.bytes().size() == 10'000);
-  CHECK(region.bytes()[9'999] == std::byte{0});
-  region.bytes()[0] = std::byte{42};
-  SharedRegion other = std::move(region);
-  CHECK(region.bytes().empty());
-  CHECK(other.bytes()[0] == std::byte{42});
 }
 
 TEST_CASE("a bell that was rung while its waiter was parked is ready for the next wait") {
