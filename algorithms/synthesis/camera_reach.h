@@ -1,5 +1,5 @@
 #pragma once
-// What one camera sees of the ground, and how far inside its picture: a camera fades towards the border of
+// What one camera sees of the world, and how far inside its picture: a camera fades towards the border of
 // its image and towards the limit of its lens, and where its own vehicle stands in the way, so that no seam
 // shows where its picture ends. Keeps the lens alive; immutable.
 
@@ -9,6 +9,9 @@
 #include "algorithms/geometry/rig.h"
 
 namespace svchain::synthesis {
+
+/// (x, y, z, 1) in the vehicle's frame, metres, to a ray in a camera's, up to a factor above 0.
+using RayFromPoint = Eigen::Matrix<double, 3, 4>;
 
 class CameraReach {
  public:
@@ -22,17 +25,17 @@ class CameraReach {
   /// ... and this angle inside the lens's largest.
   static constexpr double kLensBorderRad = 0.175;
 
-  /// `ray_from_ground` says where the camera sees the ground (geometric_lut.h); its pose is taken for what
-  /// its own vehicle hides, and for nothing else.
-  CameraReach(const geometry::Camera& camera, const Eigen::Matrix3d& ray_from_ground,
+  /// `ray_from_point` says where the camera sees a point; its pose is taken for what its own vehicle hides,
+  /// and for nothing else.
+  CameraReach(const geometry::Camera& camera, const RayFromPoint& ray_from_point,
               const geometry::Vehicle& vehicle);
 
-  /// Where the camera sees a point of the ground (vehicle frame, metres, z = 0), nothing where it does not.
-  std::optional<Seen> see(const Eigen::Vector2d& ground) const;
+  /// Where the camera sees a point (vehicle frame, metres), nothing where it does not.
+  std::optional<Seen> see(const Eigen::Vector3d& point) const;
 
  private:
   geometry::LensPtr lens_;
-  Eigen::Matrix3d ray_from_ground_;
+  RayFromPoint ray_from_point_;
   geometry::Vehicle vehicle_;
   Eigen::Vector2d position_;  // from above
   Eigen::Vector2d last_pixel_;

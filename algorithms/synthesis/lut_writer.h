@@ -11,6 +11,8 @@
 
 namespace svchain::synthesis {
 
+inline constexpr size_t kLutContentAlignment = 64;  // a block's content starts on a cache line
+
 [[noreturn]] inline void refuse(const std::string& message) {
   throw std::invalid_argument("geometric LUT: " + message);
 }
