@@ -1,6 +1,12 @@
 // The same links on other cores give the same pictures.
 
+#include <algorithm>
+#include <map>
+#include <set>
+
 #include "framework/chain/run.h"
+#include "framework/link/call.h"
+#include "framework/link/wrapped_link.h"
 #include "tests/allocation_count.h"
 #include "tests/catch.h"
 #include "tests/integration/surround_view.h"
@@ -23,7 +29,64 @@ void require_all_home(const nlohmann::json& report) {
   }
 }
 
+/// Where in memory a link finds what it is given: by sequence, the addresses of all buffers at a port.
+using Addresses = std::map<uint64_t, std::vector<const std::byte*>>;
+
+class AddressReader final : public WrappedLink {
+ public:
+  AddressReader(std::unique_ptr<Link> link, int port, Addresses& addresses)
+      : WrappedLink(std::move(link)), port_(port), addresses_(addresses) {}
+  void process(Call& call) override {
+    const Frame& frame = call.input(port_);
+    for (int i = 0; frame && i < frame.count(); ++i)
+      addresses_[frame.sequence()].push_back(frame.bytes(i).data());
+    link().process(call);
+  }
+
+ private:
+  int port_;
+  Addresses& addresses_;
+};
+
+void read_addresses(Plan& plan, const std::string& link_name, const std::string& port, Addresses& addresses) {
+  for (PlannedLink& link : plan.links) {
+    if (link.entry.name != link_name) continue;
+    const auto inputs = link.link->describe().inputs;
+    const auto at = std::find_if(inputs.begin(), inputs.end(), [&](const auto& i) { return i.name == port; });
+    REQUIRE(at != inputs.end());
+    link.link = std::make_unique<AddressReader>(std::move(link.link), int(at - inputs.begin()), addresses);
+    return;
+  }
+  FAIL("no link " << link_name);
+}
+
 }  // namespace
+
+TEST_CASE("frames are handed on, never copied: every link finds a camera's frame at the same address") {
+  const SurroundView world;
+  for (const std::string use_case : {"2dsv_1dsp", "2dsv_2dsp"}) {
+    Plan plan = world.plan(use_case);
+    Addresses taken, duplicated, aligned, synthesised, shown;
+    read_addresses(plan, "sync", "rear", taken);
+    read_addresses(plan, "dup", "in", duplicated);
+    read_addresses(plan, "geometric_alignment", "frames", aligned);
+    read_addresses(plan, "synthesis", "frames", synthesised);
+    read_addresses(plan, "display", "frames", shown);
+    const auto report = world.run(std::move(plan), 6);
+    REQUIRE(synthesised.size() == 6);
+    CHECK(duplicated == synthesised);
+    for (const auto& [sequence, addresses] : synthesised) {
+      REQUIRE(addresses.size() == 4);
+      CHECK(taken.at(sequence).at(0) == addresses[2]);
+      if (aligned.count(sequence)) CHECK(aligned[sequence] == addresses);
+    }
+    // The composite: never anywhere but in the buffers that synthesis writes.
+    std::set<const std::byte*> places;
+    for (const auto& [sequence, addresses] : shown) places.insert(addresses.begin(), addresses.end());
+    CHECK(shown.size() == 6);
+    CHECK(places.size() <= report["pools"]["synthesis.view"]["buffers"].get<size_t>());
+  }
+}
 
 TEST_CASE(
     "both partitions deliver every frame and the same pixels, on every SoC that has the cores, in any "
