@@ -27,6 +27,14 @@ TEST_CASE("what was not measured is null, and every name of the contract is ther
   }
 }
 
+TEST_CASE("what a library would be needed for is null where that is not installed") {
+  Results results;
+  results.missing["hop.stream_vs_tbb_flow_graph"] = "not installed";
+  const auto json = json_of(results, {});
+  REQUIRE(json["ratios"].contains("hop.stream_vs_tbb_flow_graph"));
+  CHECK(json["ratios"]["hop.stream_vs_tbb_flow_graph"].is_null());
+}
+
 TEST_CASE("what was measured is there with its quartiles and the costs of both sides, to four digits") {
   Results results;
   results.ratios["hop.stream_vs_asio_post"] = {3.14159, 2.5, 4, 600, 191.23456};

@@ -4,10 +4,16 @@
 #include <filesystem>
 #include <vector>
 
-#include "usecases/svchain_accuracy/document.h"
 #include "usecases/svchain_accuracy/simulated_set.h"
+#include "usecases/svchain_page/document.h"
 
 namespace svchain::accuracy {
+
+using page::figure;
+using page::markdown;
+using page::met;
+using page::Section;
+using page::Table;
 
 /// The sets that have been measured so far.
 Section simulated_rigs(const std::vector<SetResult>& results);

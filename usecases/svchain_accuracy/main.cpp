@@ -4,13 +4,13 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <ctime>
 #include <fstream>
 #include <iostream>
-#include <opencv2/core.hpp>
+#include <opencv2/core/utility.hpp>
 
 #include "usecases/svchain_accuracy/experiments.h"
 #include "usecases/svchain_accuracy/lens_like.h"
+#include "usecases/svchain_page/machine.h"
 
 namespace svchain::accuracy {
 
@@ -22,22 +22,6 @@ struct Options {
   int sets = 3;
 };
 
-std::string processor() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    const auto colon = line.find(": ");
-    if (line.rfind("model name", 0) == 0 && colon != std::string::npos) return line.substr(colon + 2);
-  }
-  return "an unknown processor";
-}
-
-std::string today() {
-  const std::time_t now = std::time(nullptr);
-  char text[16];
-  std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
-  return text;
-}
-
 std::string heading(const Options& options) {
   return "# How accurate alignment is\n\n"
          "Geometry first, brightness and colour after it, all measured against truth that they have not "
@@ -45,8 +29,8 @@ std::string heading(const Options& options) {
          "project's folder:\n\n"
          "```\nbuild/release/bin/svchain_accuracy --seeds " +
          std::to_string(options.sets) + " --data " + options.data.string() + " --output " +
-         options.output.string() + "\n```\n\n" + today() + "; " + processor() + ", one core; g++ " +
-         __VERSION__ + "; OpenCV " + CV_VERSION +
+         options.output.string() + "\n```\n\n" + page::today() + "; " + page::processor() + ", one core; " +
+         page::compiler() + "; OpenCV " + page::opencv_version() +
          ". But for the times, every run gives the same figures.\n\n";
 }
 

@@ -5,9 +5,14 @@
 
 #include "algorithms/json/fault.h"
 #include "usecases/svchain_accuracy/agreement.h"
-#include "usecases/svchain_accuracy/document.h"
+#include "usecases/svchain_page/document.h"
 
 namespace svchain::accuracy {
+
+using page::figure;
+using page::met;
+using page::Section;
+using page::Table;
 
 /// A section that says which file is not there.
 Section absent(const std::string& title, const Faults& faults);

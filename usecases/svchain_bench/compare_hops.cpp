@@ -1,4 +1,5 @@
 #include "usecases/svchain_bench/comparisons.h"
+#include "usecases/svchain_bench/library_hops.h"
 #include "usecases/svchain_bench/other_hops.h"
 #include "usecases/svchain_bench/our_hops.h"
 
@@ -53,6 +54,15 @@ void compare_hops(Results& results, const Progress& progress) {
   compare("hop.ipc_stream_vs_asio_post", asio, ipc_stream);
   compare(
       "hop.stream_vs_condition_variable", [] { return condition_variable_stream_ns(kStreamed); }, stream);
+  const auto compare_library = [&](const std::string& name, const std::optional<Library>& library) {
+    if (library)
+      compare(
+          name, [&] { return library->stream_ns(kStreamed); }, stream);
+    else
+      results.missing[name] = "not installed";
+  };
+  compare_library("hop.stream_vs_tbb_flow_graph", tbb_flow_graph());
+  compare_library("hop.stream_vs_gstreamer_queue", gstreamer_queue());
   progress("hop.same_core_ns");
   results.figures["hop.same_core_ns"] = same_core_ns();
 }

@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include "usecases/svchain_bench/benchmarks.h"
+#include "usecases/svchain_bench/library_hops.h"
 #include "usecases/svchain_bench/other_hops.h"
 #include "usecases/svchain_bench/our_hops.h"
 
@@ -72,6 +73,8 @@ void register_hop_benchmarks() {
   add_stream("raw_futex", raw_futex_stream_ns);
   add_stream("condition_variable", condition_variable_stream_ns);
   add_stream("asio_post", asio_stream_ns);
+  if (const auto tbb = tbb_flow_graph()) add_stream("tbb_flow_graph", tbb->stream_ns);
+  if (const auto gstreamer = gstreamer_queue()) add_stream("gstreamer_queue", gstreamer->stream_ns);
 }
 
 }  // namespace svchain::bench

@@ -1,14 +1,17 @@
-#include "algorithms/geometry/view.h"
 #include "algorithms/synthesis/synthesize.h"
 #include "usecases/svchain_bench/round_trips.h"
 #include "usecases/svchain_bench/surround_view.h"
 
 namespace svchain::bench {
 
-Kernels::Kernels(const ParkedCar& car, const Eigen::Vector2i& size_px) : pictures_(car.pictures()) {
+geometry::View usual_view(const ParkedCar& car, const Eigen::Vector2i& size_px) {
   geometry::View view;
   view.size_px = size_px;
   view.metres_per_px = geometry::default_metres_per_px(car.rig().vehicle, size_px);
+  return view;
+}
+
+Kernels::Kernels(const ParkedCar& car, const geometry::View& view) : pictures_(car.pictures()) {
   lut_memory_.resize(synthesis::geometric_lut_capacity(view, 4));
   synthesis::build_geometric_lut(car.rig(), view, {}, lut_memory_);
   lut_ = std::make_unique<synthesis::GeometricLut>(lut_memory_);
@@ -16,16 +19,24 @@ Kernels::Kernels(const ParkedCar& car, const Eigen::Vector2i& size_px) : picture
   photometric::AlignmentSettings settings;  // those of the use case
   settings.most_blocks = statistics_memory_.size() / sizeof(synthesis::OverlapBlock);
   alignment_ = std::make_unique<photometric::PhotometricAlignment>(settings);
-  composite_.create(size_px.y(), size_px.x(), CV_8UC3);
+  composite_.create(view.size_px.y(), view.size_px.x(), CV_8UC3);
 }
 
-void Kernels::synthesize() {
-  synthesis::synthesize(*lut_, pictures_, alignment_->tone_mapping(), composite_,
+void Kernels::synthesize(const std::array<cv::Mat, 4>& pictures) {
+  synthesis::synthesize(*lut_, pictures, alignment_->tone_mapping(), composite_,
                         synthesis::OverlapStatistics::create(statistics_memory_));
 }
 
 void Kernels::align() {
   alignment_->update(*reinterpret_cast<const synthesis::OverlapStatistics*>(statistics_memory_.data()));
+}
+
+size_t Kernels::camera_pixels() const {
+  size_t pixels = 0;
+  for (const synthesis::LutBlock& block : lut_->blocks())
+    for (const synthesis::LutRegion& region : lut_->regions(block))
+      if (region.tap_count() > 0) pixels += region.pixels;
+  return pixels;
 }
 
 double Kernels::frame_ms(int frames) {

@@ -1,10 +1,10 @@
 #include "usecases/svchain_bench/results.h"
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <opencv2/core/version.hpp>
 #include <thread>
+
+#include "usecases/svchain_page/machine.h"
 
 namespace svchain::bench {
 
@@ -30,21 +30,12 @@ double rounded(double value) {
   return unit >= 1 ? std::round(value / unit) * unit : std::round(value / unit) / std::round(1 / unit);
 }
 
-std::string processor() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    const auto colon = line.find(": ");
-    if (line.rfind("model name", 0) == 0 && colon != std::string::npos) return line.substr(colon + 2);
-  }
-  return "unknown";
-}
-
 }  // namespace
 
 Machine this_machine() {
   const unsigned cpus = std::thread::hardware_concurrency();
-  return {processor() + ", " + std::to_string(cpus) + (cpus == 1 ? " CPU" : " CPUs"), "g++ " __VERSION__,
-          CV_VERSION};
+  return {page::processor() + ", " + std::to_string(cpus) + (cpus == 1 ? " CPU" : " CPUs"), page::compiler(),
+          page::opencv_version()};
 }
 
 nlohmann::json json_of(const Results& results, const Machine& machine) {
@@ -52,6 +43,7 @@ nlohmann::json json_of(const Results& results, const Machine& machine) {
       {"machine", machine.processor}, {"compiler", machine.compiler}, {"opencv", machine.opencv}};
   for (const char* name : kRatios) json["ratios"][name] = nullptr;
   for (const char* name : kFigures) json["figures"][name] = nullptr;
+  for (const auto& [name, reason] : results.missing) json["ratios"][name] = nullptr;
   for (const auto& [name, paired] : results.ratios) {
     json["ratios"][name] = rounded(paired.ratio);
     json["quartiles"][name] = {rounded(paired.quarter), rounded(paired.three_quarters)};

@@ -14,6 +14,7 @@ namespace svchain::bench {
 struct Results {
   std::map<std::string, Paired> ratios;
   std::map<std::string, double> figures;
+  std::map<std::string, std::string> missing;  // why a ratio is not there: "not installed"
 };
 
 /// Where it was measured.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "algorithms/geometry/rig.h"
+#include "algorithms/geometry/view.h"
 #include "algorithms/photometric/photometric_alignment.h"
 #include "algorithms/synthesis/geometric_lut.h"
 #include "algorithms/synthesis/overlap_statistics.h"
@@ -38,14 +39,21 @@ class ParkedCar {
   std::filesystem::path folder_;
 };
 
+/// The vehicle's length takes 45 % of the view's height, as in the use case.
+geometry::View usual_view(const ParkedCar& car, const Eigen::Vector2i& size_px);
+
 /// Synthesis and photometric alignment, one after the other on one thread.
 class Kernels {
  public:
-  Kernels(const ParkedCar& car, const Eigen::Vector2i& size_px);
+  Kernels(const ParkedCar& car, const geometry::View& view);
   /// Milliseconds per frame of this many.
   double frame_ms(int frames);
-  void synthesize();
+  void synthesize() { synthesize(pictures_); }
+  void synthesize(const std::array<cv::Mat, 4>& pictures);
   void align();
+  const synthesis::GeometricLut& lut() const { return *lut_; }
+  /// Pixels of the composite in which a camera is seen.
+  size_t camera_pixels() const;
 
  private:
   const std::array<cv::Mat, 4>& pictures_;
