@@ -1,41 +1,34 @@
 #pragma once
 // A bounded ring of fixed-size messages between one producer and one consumer, in memory that both map
-// (threads or processes). Lock-free, wait-free but for pop() against a concurrent evict(). Never allocates.
+// (threads or processes). Wait-free. Never allocates. What was pushed is read where it lies.
 //
-// The producer alone moves head, which publishes a slot. The consumer moves tail; so does the producer when
-// it evicts the oldest message of a full ring, hence tail is moved by compare-exchange and a reader that lost
-// the race throws its copy away. Slots are read and written as relaxed atomic words, so that such a lost copy
-// is no data race.
+// The producer alone moves head, which publishes slots; the consumer alone moves tail, which gives them back.
+// Either remembers how far it saw the other, and looks again only where that is not enough: the usual ring of
+// queue libraries.
 //
-// Whoever goes to sleep over an empty (or full) ring and whoever puts something in (or takes it out) agree on
-// who saw what: head and tail are written, and read, in one order that all see. So a producer need only wake
-// a consumer if, after its push, no other message lies there: size() <= 1. Then the consumer either has seen
-// the message, or is woken. The same goes for room.
+// The ring does not say when to wake the other side: see mark.h. For that, head and tail are written, and
+// read, in one order that all see (seq_cst).
 //
-// Ownership: a Ring is a view; the memory belongs to whoever made it and must outlive every view.
+// Ownership: a Ring is a view; the memory belongs to whoever made it and must outlive every view. One view
+// may serve both sides, but a side keeps to one view.
 
 #include <algorithm>
-#include <array>
 #include <atomic>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <new>
 #include <type_traits>
 
-namespace svchain::ipc {
+#include "ipc/cache_line.h"
 
-constexpr size_t kCacheLine = 64;
+namespace svchain::ipc {
 
 template <class T>
 class Ring {
-  static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(uint64_t) == 0);
+  static_assert(std::is_trivially_copyable_v<T>);
   static_assert(std::atomic<uint64_t>::is_always_lock_free, "a lock does not work across processes");
-  static constexpr size_t kWords = sizeof(T) / sizeof(uint64_t);
 
-  struct Slot {
-    std::array<std::atomic<uint64_t>, kWords> words;
-  };
   struct Control {
     alignas(kCacheLine) std::atomic<uint64_t> head{0};
     alignas(kCacheLine) std::atomic<uint64_t> tail{0};
@@ -44,13 +37,13 @@ class Ring {
 
  public:
   static size_t bytes(size_t capacity) {
-    return (sizeof(Control) + capacity * sizeof(Slot) + kCacheLine - 1) / kCacheLine * kCacheLine;
+    return rounded_to_cache_line(sizeof(Control) + slots(capacity) * sizeof(T));
   }
   /// Makes an empty ring in `memory` (aligned to a cache line, at least bytes(capacity)).
   static Ring create(void* memory, size_t capacity) {
     auto* control = new (memory) Control;
     control->capacity = capacity;
-    new (control + 1) Slot[capacity];
+    new (control + 1) T[slots(capacity)];
     return Ring(control);
   }
   /// A view of a ring that another thread or process has made.
@@ -58,62 +51,96 @@ class Ring {
 
   Ring() = default;
 
-  /// Producer. False if the ring is full.
+  // Producer:
+  /// False if the ring is full.
   bool push(const T& message) {
-    const uint64_t head = control_->head.load(std::memory_order_relaxed);
-    // acquire: the slot's last reader must be done before it is written again
-    if (head - control_->tail.load(std::memory_order_acquire) >= control_->capacity) return false;
-    write(slots_[head % control_->capacity], message);
-    control_->head.store(head + 1, std::memory_order_seq_cst);  // publishes the slot
+    if (!stage(message)) return false;
+    publish();
     return true;
   }
+  /// Writes a message that the consumer does not see before publish(). False if the ring is full.
+  bool stage(const T& message) {
+    const uint64_t next = own_head() + staged_;
+    if (!has_room(next)) return false;
+    data_[next & mask_] = message;
+    ++staged_;
+    return true;
+  }
+  /// Hands over what was staged.
+  void publish() {
+    control_->head.store(own_head() + staged_, std::memory_order_seq_cst);
+    staged_ = 0;
+  }
+  /// The messages staged, oldest first.
+  template <class Do>
+  void for_staged(Do&& with) {
+    for (uint64_t i = 0; i < staged_; ++i) with(data_[(own_head() + i) & mask_]);
+  }
+  size_t staged() const { return staged_; }
+  /// Messages on their way, staged ones too; at the least as many as there are.
+  size_t filled_at_most() const { return own_head() + staged_ - tail_seen_; }
+  size_t filled() {
+    tail_seen_ = control_->tail.load(std::memory_order_seq_cst);
+    return filled_at_most();
+  }
 
-  /// Consumer (or the producer, who so evicts the oldest). False if the ring is empty.
-  bool pop(T& message) {
-    uint64_t tail = control_->tail.load(std::memory_order_acquire);
-    while (tail != control_->head.load(std::memory_order_seq_cst)) {
-      read(slots_[tail % control_->capacity], message);
-      // the copy is finished before the slot is given back
-      if (control_->tail.compare_exchange_weak(tail, tail + 1, std::memory_order_seq_cst,
-                                               std::memory_order_acquire)) {
-        return true;
-      }
+  // Consumer:
+  /// The oldest message, which stays there until pop(); null if the ring is empty.
+  const T* front() {
+    const uint64_t tail = control_->tail.load(std::memory_order_relaxed);
+    if (tail == head_seen_) {
+      head_seen_ = control_->head.load(std::memory_order_seq_cst);
+      if (tail == head_seen_) return nullptr;
     }
-    return false;
+    return &data_[tail & mask_];
   }
-
-  /// Consumer: copies the oldest message and leaves it there. With a producer that evicts, it may be gone
-  /// afterwards.
-  bool peek(T& message) const {
-    const uint64_t tail = control_->tail.load(std::memory_order_acquire);
-    if (tail == control_->head.load(std::memory_order_seq_cst)) return false;
-    read(slots_[tail % control_->capacity], message);
+  /// Gives the slot of the front back.
+  void pop() {
+    control_->tail.store(control_->tail.load(std::memory_order_relaxed) + 1, std::memory_order_seq_cst);
+  }
+  /// front() and pop() in one. False if the ring is empty.
+  bool pop(T& message) {
+    const T* oldest = front();
+    if (!oldest) return false;
+    message = *oldest;
+    pop();
     return true;
   }
 
+  // Any:
   size_t size() const {
     const uint64_t tail = control_->tail.load(std::memory_order_seq_cst);
     return static_cast<size_t>(control_->head.load(std::memory_order_seq_cst) - tail);
   }
   bool empty() const { return size() == 0; }
-  size_t capacity() const { return control_->capacity; }
+  size_t capacity() const { return capacity_; }
 
  private:
-  explicit Ring(Control* control) : control_(control), slots_(reinterpret_cast<Slot*>(control + 1)) {}
+  explicit Ring(Control* control)
+      : control_(control),
+        data_(reinterpret_cast<T*>(control + 1)),
+        capacity_(control->capacity),
+        mask_(slots(control->capacity) - 1),
+        tail_seen_(control->tail.load(std::memory_order_acquire)),
+        head_seen_(control->head.load(std::memory_order_acquire)) {}
 
-  static void write(Slot& slot, const T& message) {
-    std::array<uint64_t, kWords> words;
-    std::memcpy(words.data(), &message, sizeof(T));
-    for (size_t i = 0; i < kWords; ++i) slot.words[i].store(words[i], std::memory_order_relaxed);
-  }
-  static void read(const Slot& slot, T& message) {
-    std::array<uint64_t, kWords> words;
-    for (size_t i = 0; i < kWords; ++i) words[i] = slot.words[i].load(std::memory_order_relaxed);
-    std::memcpy(static_cast<void*>(&message), words.data(), sizeof(T));
+  /// A power of two, so that no index needs a division.
+  static size_t slots(size_t capacity) { return std::bit_ceil(std::max<size_t>(1, capacity)); }
+
+  uint64_t own_head() const { return control_->head.load(std::memory_order_relaxed); }
+  bool has_room(uint64_t next) {
+    if (next - tail_seen_ < capacity_) return true;
+    // what the slot's last reader did comes before what is written into it now
+    tail_seen_ = control_->tail.load(std::memory_order_seq_cst);
+    return next - tail_seen_ < capacity_;
   }
 
   Control* control_ = nullptr;
-  Slot* slots_ = nullptr;
+  T* data_ = nullptr;
+  uint64_t capacity_ = 0, mask_ = 0;
+  alignas(kCacheLine) uint64_t tail_seen_ = 0;  // the producer's
+  uint64_t staged_ = 0;
+  alignas(kCacheLine) uint64_t head_seen_ = 0;  // the consumer's
 };
 
 }  // namespace svchain::ipc

@@ -1,42 +1,8 @@
 #include "framework/buffer/frame.h"
 
 #include <cassert>
-#include <utility>
-
-#include "framework/buffer/holder.h"
 
 namespace svchain {
-
-namespace {
-
-/// The buffers that a message really carries.
-template <class Do>
-void for_each_buffer(const ipc::Message& message, Do&& with) {
-  for (size_t i = 0; i < message.count; ++i) {
-    if (message.buffers[i] != ipc::kNoBuffer) with(message.buffers[i]);
-  }
-}
-
-}  // namespace
-
-Frame::Frame(const ipc::Message& message, Holder& holder) : message_(message), holder_(&holder) {
-  for_each_buffer(message_, [&](ipc::BufferId b) { holder.arrived(b); });
-}
-
-Frame::Frame(Frame&& other) noexcept
-    : message_(other.message_), holder_(std::exchange(other.holder_, nullptr)) {
-  other.message_.count = 0;
-}
-
-Frame& Frame::operator=(Frame&& other) noexcept {
-  if (this != &other) {
-    release();
-    message_ = other.message_;
-    holder_ = std::exchange(other.holder_, nullptr);
-    other.message_.count = 0;
-  }
-  return *this;
-}
 
 const Format& Frame::format(int buffer) const {
   return holder_->pool(message_.buffers[static_cast<size_t>(buffer)]).format();
@@ -79,29 +45,25 @@ Frame Frame::part(int buffer) const {
   message.count = 1;
   message.buffers[0] = message_.buffers[static_cast<size_t>(buffer)];
   message.timestamp_ns[0] = message_.timestamp_ns[static_cast<size_t>(buffer)];
-  for_each_buffer(message, [&](ipc::BufferId b) { holder_->pool(b).add_reference(b.index); });
-  return Frame(message, *holder_);
+  Frame frame(message, *holder_);
+  frame.add_references();
+  return frame;
 }
 
 Frame Frame::share() const {
   if (!holder_) return {};
-  for_each_buffer(message_, [&](ipc::BufferId b) { holder_->pool(b).add_reference(b.index); });
+  add_references();
   return Frame(message_, *holder_);
 }
 
-void Frame::release() {
-  if (!holder_) return;
-  for_each_buffer(message_, [&](ipc::BufferId b) { holder_->drop_reference(b); });
-  message_.count = 0;
-  holder_ = nullptr;
+void Frame::add_references() const {
+  for_each_buffer([&](ipc::BufferId b) { holder_->pool(b).add_reference(b.index); });
 }
 
-ipc::Message Frame::detach() {
-  if (holder_) for_each_buffer(message_, [&](ipc::BufferId b) { holder_->left(b); });
-  const ipc::Message message = message_;
+void Frame::drop_references() {
+  for_each_buffer([&](ipc::BufferId b) { holder_->drop_reference(b); });
   message_.count = 0;
   holder_ = nullptr;
-  return message;
 }
 
 std::span<std::byte> Draft::bytes(int buffer) {

@@ -7,21 +7,33 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "framework/buffer/format.h"
+#include "framework/buffer/holder.h"
 #include "ipc/message.h"
 
 namespace svchain {
-
-class Holder;
 
 class Frame {
  public:
   Frame() = default;
   /// Takes over the references that the message carries.
-  Frame(const ipc::Message& message, Holder& holder);
-  Frame(Frame&& other) noexcept;
-  Frame& operator=(Frame&& other) noexcept;
+  Frame(const ipc::Message& message, Holder& holder) : message_(message), holder_(&holder) {
+    for_each_buffer([&](ipc::BufferId b) { holder.arrived(b); });
+  }
+  Frame(Frame&& other) noexcept : message_(other.message_), holder_(std::exchange(other.holder_, nullptr)) {
+    other.message_.count = 0;
+  }
+  Frame& operator=(Frame&& other) noexcept {
+    if (this != &other) {
+      release();
+      message_ = other.message_;
+      holder_ = std::exchange(other.holder_, nullptr);
+      other.message_.count = 0;
+    }
+    return *this;
+  }
   ~Frame() { release(); }
 
   /// True if it carries buffers.
@@ -48,14 +60,30 @@ class Frame {
   Frame part(int buffer) const;
   /// Another handle on the same buffers.
   Frame share() const;
-  void release();
+  void release() {
+    if (holder_) drop_references();
+  }
 
   const ipc::Message& message() const { return message_; }
   Holder* holder() const { return holder_; }
-  /// Gives the references up to whoever takes the message (an edge).
-  ipc::Message detach();
+  /// Gives the references up to whoever has taken the message (an edge).
+  void hand_over() {
+    if (holder_) for_each_buffer([&](ipc::BufferId b) { holder_->left(b); });
+    message_.count = 0;
+    holder_ = nullptr;
+  }
 
  private:
+  /// The buffers that it really carries.
+  template <class Do>
+  void for_each_buffer(Do&& with) const {
+    for (size_t i = 0; i < message_.count; ++i) {
+      if (message_.buffers[i] != ipc::kNoBuffer) with(message_.buffers[i]);
+    }
+  }
+  void add_references() const;
+  void drop_references();
+
   ipc::Message message_;
   Holder* holder_ = nullptr;
 };

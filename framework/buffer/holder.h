@@ -2,51 +2,12 @@
 // Who holds frames: one Holder per link. It knows the pools, keeps the accounts of who has what, and knows
 // the way home for a buffer whose last reference goes on its core. Belongs to its link's core.
 
-#include <memory>
-#include <string>
-#include <vector>
+#include <optional>
 
 #include "framework/buffer/pool.h"
-#include "ipc/doorbell.h"
-#include "ipc/ring.h"
+#include "framework/buffer/return_path.h"
 
 namespace svchain {
-
-/// One bit per link of a core: something has changed for it, it should be looked at. Its core's thread only.
-class Attention {
- public:
-  explicit Attention(int runners = 0) : words_(static_cast<size_t>(runners + 63) / 64) {}
-  void mark(int runner) { words_[static_cast<size_t>(runner) / 64] |= uint64_t{1} << (runner % 64); }
-  void clear(int runner) { words_[static_cast<size_t>(runner) / 64] &= ~(uint64_t{1} << (runner % 64)); }
-  const std::vector<uint64_t>& words() const { return words_; }
-
- private:
-  std::vector<uint64_t> words_;
-};
-
-/// A buffer on its way back to its pool's owner.
-struct ReturnedBuffer {
-  ipc::BufferId buffer;
-  uint32_t reserved = 0;
-};
-static_assert(sizeof(ReturnedBuffer) == 8);
-
-/// The rings of returns that leave a core, one for every core that owns pools.
-class ReturnPath {
- public:
-  struct Way {
-    ipc::Ring<ReturnedBuffer> ring;  // holds as many as the owner has buffers: never full
-    ipc::Doorbell* doorbell = nullptr;
-  };
-  ReturnPath(int core, std::vector<Way> ways) : core_(core), ways_(std::move(ways)) {}
-  void give_back(Pool& pool, uint16_t index);
-
- private:
-  int core_;
-  std::vector<Way> ways_;  // by core; none to itself
-};
-
-using PoolTable = std::vector<std::unique_ptr<Pool>>;
 
 class Holder {
  public:
@@ -58,6 +19,10 @@ class Holder {
   void arrived(ipc::BufferId buffer) { pool(buffer).note_held(buffer.index, id_, 1); }
   void left(ipc::BufferId buffer) { pool(buffer).note_held(buffer.index, id_, -1); }
   void drop_reference(ipc::BufferId buffer);
+
+  /// Whether a pool of this core has a free buffer, be it one that has just come home. If not, the core is
+  /// rung when one does.
+  bool has_free(Pool& pool) const;
 
  private:
   size_t id_;

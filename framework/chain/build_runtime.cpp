@@ -103,16 +103,16 @@ void build_return_paths(Chain::Runtime& r) {
   for (size_t count : owned) bytes += (cores - 1) * Ring<ReturnedBuffer>::bytes(count);
   r.returns_region = ipc::SharedRegion("svchain:returns", std::max<size_t>(1, bytes));
   std::byte* memory = r.returns_region.bytes().data();
+  for (size_t core = 0; core < cores; ++core)
+    r.return_paths.push_back(std::make_unique<ReturnPath>(static_cast<int>(core)));
   for (size_t from = 0; from < cores; ++from) {
-    std::vector<ReturnPath::Way> ways(cores);
     for (size_t to = 0; to < cores; ++to) {
       if (to == from || owned[to] == 0) continue;
-      ways[to].ring = Ring<ReturnedBuffer>::create(memory, owned[to]);
-      ways[to].doorbell = r.doorbells[to];
-      r.cores[to]->add_returns(ways[to].ring);
+      const auto ring = Ring<ReturnedBuffer>::create(memory, owned[to]);
+      r.return_paths[from]->add_way(static_cast<int>(to), {ring, r.doorbells[to]});
+      r.return_paths[to]->add_arrivals(ring);
       memory += Ring<ReturnedBuffer>::bytes(owned[to]);
     }
-    r.return_paths.push_back(std::make_unique<ReturnPath>(static_cast<int>(from), std::move(ways)));
   }
 }
 
@@ -154,6 +154,8 @@ std::unique_ptr<Chain::Runtime> build_runtime(Plan& plan, const std::vector<Link
     r.edges.push_back(std::make_unique<Edge>(edge.entry.name(), edge.entry.depth, edge.entry.policy,
                                              end_of(plan, r, edge.from_link), end_of(plan, r, edge.to_link),
                                              *r.clock));
+    Edge& built = *r.edges.back();
+    if (built.ipc()) r.cores[static_cast<size_t>(built.consumer().core)]->add_arrivals(built);
   }
   for (size_t l = 0; l < plan.links.size(); ++l) {
     PlannedLink& link = plan.links[l];
@@ -178,7 +180,6 @@ std::unique_ptr<Chain::Runtime> build_runtime(Plan& plan, const std::vector<Link
     const auto l = static_cast<size_t>(*it);
     r.cores[static_cast<size_t>(plan.links[l].core)]->add(*r.runners[l]);
   }
-  for (auto& core : r.cores) core->set_pools(r.pools);
   return runtime;
 }
 

@@ -87,7 +87,7 @@ void Chain::on_core(int core, const std::function<void()>& work) {
   Core& c = *r.cores[static_cast<size_t>(core)];
   if (r.threads.empty()) {
     work();
-    c.doorbell().ring();
+    c.wake();
     return;
   }
   std::promise<void> done;
@@ -129,7 +129,7 @@ void Chain::start() {
     }
   }
   r.all_started = true;
-  for (auto& core : r.cores) core->doorbell().ring();
+  for (auto& core : r.cores) core->wake();
 }
 
 void Chain::request_end() {
@@ -139,7 +139,7 @@ void Chain::request_end() {
   for (auto& runner : runtime_->runners) {
     if (runner->is_source()) runner->request_end();
   }
-  for (auto& core : runtime_->cores) core->doorbell().ring();
+  for (auto& core : runtime_->cores) core->wake();
 }
 
 bool Chain::finished() const {
@@ -180,10 +180,12 @@ void Chain::stop() {
 void Chain::settle() {
   Runtime& r = *runtime_;
   for (auto& edge : r.edges) {
-    ipc::Message message;
-    while (edge->take(message)) Frame(message, *edge->consumer().holder).release();
+    while (const ipc::Message* message = edge->front()) {
+      Frame(*message, *edge->consumer().holder).release();
+      edge->pop(r.clock->now_ns());
+    }
   }
-  for (auto& core : r.cores) core->take_returns();
+  for (auto& path : r.return_paths) path->collect(r.pools);
 }
 
 std::optional<Failure> Chain::failure() const {

@@ -1,5 +1,6 @@
 #include "framework/chain/core.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace svchain {
@@ -12,14 +13,12 @@ Core::Core(int index, std::string name, ipc::Doorbell& doorbell, const Clock& cl
 
 void Core::add(Runner& runner) {
   if (runner.is_source()) sources_.push_back(runners_.size());
+  attention_.mark(static_cast<int>(runners_.size()));
   runners_.push_back(&runner);
 }
 
 bool Core::step(const Choice& choice) {
-  if (const uint32_t epoch = doorbell_.epoch(); epoch != seen_epoch_) {
-    seen_epoch_ = epoch;
-    look_around();
-  }
+  if (const uint32_t bells = doorbell_.take()) answer(bells);
   if (!now_is_fresh_) now_ns_ = clock_.now_ns();
   now_is_fresh_ = false;
   for (const size_t source : sources_) {
@@ -38,19 +37,34 @@ bool Core::step(const Choice& choice) {
   return true;
 }
 
-/// Another core has changed something: which links it concerns is found out by looking at them all.
-void Core::look_around() {
-  take_returns();
-  if (has_mail_.load(std::memory_order_acquire)) run_posted();
-  for (size_t i = 0; i < runners_.size(); ++i) attention_.mark(static_cast<int>(i));
+/// Another core has changed something for the links of these bells.
+void Core::answer(uint32_t bells) {
+  const int count = static_cast<int>(runners_.size());
+  if (bells >> kBellOfAll) {
+    if (has_mail_.load(std::memory_order_acquire)) run_posted();
+    for (int i = 0; i < count; ++i) attention_.mark(i);
+    return;
+  }
+  for (; bells != 0; bells &= bells - 1) {
+    for (int i = std::countr_zero(bells); i < count; i += kBellOfAll) attention_.mark(i);
+  }
+}
+
+/// While it spins it looks at the rings themselves, one a time: what lies there is seen before the bell.
+bool Core::arrived() {
+  if (arrivals_.empty()) return false;
+  if (++next_arrival_ >= arrivals_.size()) next_arrival_ = 0;
+  Edge& edge = *arrivals_[next_arrival_];
+  if (!edge.arrived()) return false;
+  attention_.mark(edge.consumer().runner);
+  return true;
 }
 
 Runner* Core::next_ready(const Choice& choice) {
   ready_.clear();
-  const auto& words = attention_.words();
-  for (size_t w = 0; w < words.size(); ++w) {
-    for (uint64_t left = words[w]; left != 0; left &= left - 1) {
-      const size_t i = w * 64 + static_cast<size_t>(std::countr_zero(left));
+  for (size_t w = 0; w < attention_.words(); ++w) {
+    for (uint64_t left = attention_.word(w); left != 0; left &= left - 1) {
+      const size_t i = w * Attention::kWordBits + static_cast<size_t>(std::countr_zero(left));
       if (!runners_[i]->waiting(now_ns_).ready()) {
         attention_.clear(static_cast<int>(i));
         continue;
@@ -62,14 +76,20 @@ Runner* Core::next_ready(const Choice& choice) {
   return ready_.empty() ? nullptr : ready_[choice(ready_.size())];
 }
 
+/// Two cores that keep each other waiting for less than a wake-up takes would do so for ever, each asleep
+/// when the other rings. So whoever was woken soon after it had parked is more patient the next time.
 void Core::loop(int spins, bool parks) {
+  constexpr int kMostPatient = 8;
+  constexpr int64_t kSoon_ns = 50'000;  // a wake-up takes 5 to 20 us
+  int patience = 1;
   while (!quit_.load(std::memory_order_acquire)) {
-    if (step()) continue;
+    if (step() || doorbell_.spin(patience * spins, [this] { return arrived(); }) || !parks) continue;
+    const int64_t parked_ns = clock_.now_ns();
     std::optional<std::chrono::nanoseconds> timeout;
-    if (!parks) timeout = std::chrono::nanoseconds(0);
-    if (const auto wake = next_wake_ns(); wake && parks)
-      timeout = std::chrono::nanoseconds(*wake - clock_.now_ns());
-    doorbell_.wait(seen_epoch_, spins, timeout);
+    if (const auto wake = next_wake_ns()) timeout = std::chrono::nanoseconds(*wake - parked_ns);
+    if (!doorbell_.park(timeout)) continue;
+    const bool soon = clock_.now_ns() - parked_ns < kSoon_ns;
+    patience = soon ? std::min(2 * patience, kMostPatient) : 1;
   }
 }
 
@@ -83,20 +103,13 @@ std::optional<int64_t> Core::next_wake_ns() const {
   return earliest;
 }
 
-void Core::take_returns() {
-  for (auto& ring : returns_) {
-    ReturnedBuffer returned;
-    while (ring.pop(returned)) (*pools_)[returned.buffer.pool]->give_back(returned.buffer.index);
-  }
-}
-
 void Core::post(std::function<void()> work) {
   {
     const std::lock_guard lock(mailbox_mutex_);
     mailbox_.push_back(std::move(work));
   }
   has_mail_.store(true, std::memory_order_release);
-  doorbell_.ring();
+  wake();
 }
 
 void Core::run_posted() {
@@ -111,7 +124,7 @@ void Core::run_posted() {
 
 void Core::quit() {
   quit_.store(true, std::memory_order_release);
-  doorbell_.ring();
+  wake();
 }
 
 }  // namespace svchain

@@ -1,8 +1,8 @@
 #pragma once
 // A core: the links placed on it, run one call at a time, nearest to the sink first (so that frames leave
-// before new ones come in). Its inbox is the rings of its IPC edges, the rings of returned buffers and a
-// mailbox for commands; its doorbell tells it to look. A core is stepped by one thread at a time: its own, or
-// a manual executor's.
+// before new ones come in). Its inbox is the rings of its IPC edges and a mailbox for commands; the bells of
+// its doorbell tell it for which links to look. A core is stepped by one thread at a time: its own, or a
+// manual executor's.
 
 #include <atomic>
 #include <functional>
@@ -12,13 +12,13 @@
 #include <string>
 #include <vector>
 
-#include "framework/buffer/holder.h"
+#include "framework/buffer/attention.h"
 #include "framework/chain/runner.h"
 #include "framework/clock/clock.h"
 
 namespace svchain {
 
-class Core {
+class alignas(ipc::kCacheLine) Core {
  public:
   /// Picks one of n ready links; empty: the one nearest to the sink.
   using Choice = std::function<size_t(size_t n)>;
@@ -28,13 +28,12 @@ class Core {
   // Before the chain runs:
   /// In the order of precedence; `position` of the first is 0.
   void add(Runner& runner);
-  void add_returns(ipc::Ring<ReturnedBuffer> ring) { returns_.push_back(ring); }
-  void set_pools(const PoolTable& pools) { pools_ = &pools; }
+  /// An edge that comes from another core.
+  void add_arrivals(Edge& edge) { arrivals_.push_back(&edge); }
 
   const std::string& name() const { return name_; }
   int index() const { return index_; }
   Attention& attention() { return attention_; }
-  ipc::Doorbell& doorbell() { return doorbell_; }
 
   // The stepping thread:
   /// Does what has been posted and calls one ready link; false if there was none.
@@ -43,9 +42,10 @@ class Core {
   void loop(int spins, bool parks);
   /// The earliest time at which a source here wants to be called.
   std::optional<int64_t> next_wake_ns() const;
-  void take_returns();
 
   // Any thread:
+  /// Has it look at all of its links.
+  void wake() { doorbell_.ring(kBellOfAll); }
   /// Runs on the core between two calls.
   void post(std::function<void()> work);
   void quit();
@@ -55,7 +55,8 @@ class Core {
   bool busy() const { return busy_.load(std::memory_order_relaxed); }
 
  private:
-  void look_around();
+  void answer(uint32_t bells);
+  bool arrived();
   Runner* next_ready(const Choice& choice);
   void run_posted();
 
@@ -67,10 +68,9 @@ class Core {
   std::vector<Runner*> runners_;
   std::vector<size_t> sources_;  // positions of those that call themselves
   std::vector<Runner*> ready_;   // scratch for a choice
-  std::vector<ipc::Ring<ReturnedBuffer>> returns_;
-  const PoolTable* pools_ = nullptr;
+  std::vector<Edge*> arrivals_;
+  size_t next_arrival_ = 0;  // whose turn it is to be looked at while the core spins
 
-  uint32_t seen_epoch_ = ~0u;
   int64_t now_ns_ = 0;
   bool now_is_fresh_ = false;
   Counter busy_ns_, calls_;

@@ -1,29 +1,78 @@
 #include "framework/chain/edge.h"
 
 #include <algorithm>
+#include <new>
+
+#include "framework/buffer/frame.h"
 
 namespace svchain {
+
+namespace {
+
+using Across = ipc::Ring<ipc::Message>;
+using Evicting = ipc::EvictingRing<ipc::Message>;
+
+bool evicts(Policy policy) {
+  return policy == Policy::kDropOldest || policy == Policy::kLatest;
+}
+
+}  // namespace
 
 Edge::Edge(std::string name, int depth, Policy policy, const End& producer, const End& consumer,
            const Clock& clock)
     : name_(std::move(name)),
       depth_(policy == Policy::kLatest ? 1 : depth),
       policy_(policy),
+      way_(producer.core == consumer.core ? Way::kLocal
+           : evicts(policy)               ? Way::kEvicting
+                                          : Way::kAcross),
       producer_(producer),
       consumer_(consumer),
       clock_(clock),
-      ipc_(producer.core != consumer.core),
-      region_("svchain:" + name_, ipc::Ring<ipc::Message>::bytes(static_cast<size_t>(depth_) + 1)),
-      ring_(ipc::Ring<ipc::Message>::create(region_.bytes().data(), static_cast<size_t>(depth_) + 1)) {}
-
-int Edge::room() const {
-  if (policy_ != Policy::kBlock) return depth_;
-  return std::max(0, depth_ - static_cast<int>(ring_.size()));
+      local_(way_ == Way::kLocal ? static_cast<size_t>(depth_) + 1 : 0) {
+  if (way_ == Way::kLocal) return;
+  const size_t capacity = static_cast<size_t>(depth_) + 1;  // the end has a slot of its own
+  const bool evicting = way_ == Way::kEvicting;
+  region_ = ipc::SharedRegion(
+      "svchain:" + name_, sizeof(Waits) + (evicting ? Evicting::bytes(capacity) : Across::bytes(capacity)));
+  std::byte* memory = region_.bytes().data();
+  waits_ = new (memory) Waits;
+  if (evicting) {
+    evicting_ = Evicting::create(memory + sizeof(Waits), capacity);
+  } else {
+    ring_ = Across::create(memory + sizeof(Waits), capacity);
+  }
 }
 
-void Edge::send(ipc::Message message) {
-  if (ipc_) message.sent_ns = clock_.now_ns();
-  if (policy_ == Policy::kDropNewest && ring_.size() >= static_cast<size_t>(depth_)) {
+/// What the producer knows to lie there, what it has not published yet among it.
+size_t Edge::queued() {
+  switch (way_) {
+    case Way::kLocal:
+      return local_.size();
+    case Way::kAcross:
+      return ring_.filled();
+    case Way::kEvicting:
+      return evicting_.size();
+  }
+  return 0;
+}
+
+int Edge::room() {
+  if (policy_ != Policy::kBlock) return depth_;
+  return std::max(0, depth_ - static_cast<int>(queued()));
+}
+
+bool Edge::has_room() {
+  const auto depth = static_cast<size_t>(depth_);
+  if (policy_ != Policy::kBlock) return true;
+  if (way_ == Way::kLocal) return local_.size() < depth;
+  if (ring_.filled_at_most() < depth || ring_.filled() < depth) return true;
+  waits_->room.set();
+  return ring_.filled() < depth;
+}
+
+void Edge::send(const ipc::Message& message) {
+  if (policy_ == Policy::kDropNewest && queued() >= static_cast<size_t>(depth_)) {
     return drop(message, "queue_full");
   }
   if (policy_ == Policy::kDropOldest) evict_to(static_cast<size_t>(depth_) - 1, "overwritten");
@@ -37,17 +86,44 @@ void Edge::send_end() {
   push(end);
 }
 
+/// Never full: depth is kept by has_room() and the policies, and the end has a slot of its own.
 void Edge::push(const ipc::Message& message) {
-  ring_.push(
-      message);  // never full: depth is kept by room() and the policies, and the end has a slot of its own
   if (message.kind == ipc::MessageKind::kFrame) messages_.add();
-  const auto was_empty = [this] { return ring_.size() <= 1; };
-  if (!ipc_ || was_empty()) tell(consumer_);
+  if (way_ == Way::kLocal) {
+    local_.push(message);
+    consumer_.attention->mark(consumer_.runner);
+  } else if (way_ == Way::kAcross) {
+    ring_.stage(message);
+    if (policy_ != Policy::kBlock) publish(clock_.now_ns());
+  } else {
+    ipc::Message sent = message;
+    sent.sent_ns = clock_.now_ns();
+    evicting_.push(sent);
+    tell_of_message();
+  }
+}
+
+void Edge::publish_staged(int64_t now_ns) {
+  ring_.for_staged([now_ns](ipc::Message& message) { message.sent_ns = now_ns; });
+  ring_.publish();
+  tell_of_message();
+}
+
+void Edge::tell_of_message() {
+  if (waits_->message.take()) consumer_.doorbell->ring(bell_of(consumer_.runner));
 }
 
 void Edge::evict_to(size_t kept, const char* reason) {
-  ipc::Message oldest;
-  while (ring_.size() > kept && ring_.pop(oldest)) drop(oldest, reason);
+  ipc::Message taken;
+  while (queued() > kept) {
+    if (way_ == Way::kLocal) {
+      taken = *local_.front();
+      local_.pop();
+    } else if (!evicting_.pop(taken)) {
+      return;  // the consumer was faster
+    }
+    drop(taken, reason);
+  }
 }
 
 void Edge::drop(const ipc::Message& message, const char* reason) {
@@ -57,20 +133,50 @@ void Edge::drop(const ipc::Message& message, const char* reason) {
   Frame(message, *producer_.holder).release();
 }
 
-bool Edge::take(ipc::Message& message) {
-  if (!ring_.pop(message)) return false;
-  if (ipc_ && message.kind == ipc::MessageKind::kFrame) hop_.record(clock_.now_ns() - message.sent_ns);
-  const auto was_full = [this] { return ring_.size() + 1 >= static_cast<size_t>(depth_); };
-  if (!ipc_ || was_full()) tell(producer_);
-  return true;
+const ipc::Message* Edge::oldest() {
+  switch (way_) {
+    case Way::kLocal:
+      return local_.front();
+    case Way::kAcross:
+      return ring_.front();
+    case Way::kEvicting:
+      if (!claimed_) claimed_ = evicting_.pop(claim_);
+      return claimed_ ? &claim_ : nullptr;
+  }
+  return nullptr;
 }
 
-void Edge::tell(const End& end) {
-  if (ipc_) {
-    end.doorbell->ring();
-  } else {
-    end.attention->mark(end.runner);
+const ipc::Message* Edge::front() {
+  const ipc::Message* found = oldest();
+  if (way_ == Way::kLocal) return found;
+  if (!found) {
+    waits_->message.set();
+    found = oldest();
   }
+  awaits_ = !found;
+  return found;
+}
+
+void Edge::pop(int64_t now_ns) {
+  if (way_ == Way::kLocal) {
+    local_.pop();
+    producer_.attention->mark(producer_.runner);
+    return;
+  }
+  if (const ipc::Message& taken = *oldest(); taken.kind == ipc::MessageKind::kFrame)
+    hop_.record(now_ns - taken.sent_ns);
+  if (way_ == Way::kEvicting) {
+    claimed_ = false;
+    return;
+  }
+  ring_.pop();
+  if (waits_->room.take()) producer_.doorbell->ring(bell_of(producer_.runner));
+}
+
+bool Edge::arrived() {
+  if (!awaits_ || !oldest()) return false;
+  awaits_ = false;
+  return true;
 }
 
 }  // namespace svchain

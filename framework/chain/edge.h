@@ -1,19 +1,26 @@
 #pragma once
 // An edge at run time: a bounded ring of messages from one link to another, and what to do when it is full.
 // Between two links of one core it is just that; between cores it is an IPC pair: who puts a message where
-// none was, or takes one where there was no room, rings the other's doorbell.
+// the other has found none, or takes one where the other has found no room, rings the other's doorbell.
+//
+// What a call sends to another core leaves at the end of the call, all of it at the time that ends the call.
+// (Edges that may drop send at once: what they drop depends on what the other core has taken.)
 //
 // Thread rule: the functions of the producer on its core, those of the consumer on its core.
 
 #include <string>
 
-#include "framework/buffer/frame.h"
+#include "framework/buffer/attention.h"
 #include "framework/buffer/holder.h"
+#include "framework/chain/local_ring.h"
 #include "framework/clock/clock.h"
 #include "framework/statistics/counter.h"
 #include "framework/statistics/drop_counts.h"
 #include "framework/usecase/use_case.h"
+#include "ipc/evicting_ring.h"
+#include "ipc/mark.h"
 #include "ipc/message.h"
+#include "ipc/ring.h"
 #include "ipc/shared_region.h"
 
 namespace svchain {
@@ -33,7 +40,7 @@ class Edge {
        const Clock& clock);
 
   const std::string& name() const { return name_; }
-  bool ipc() const { return ipc_; }
+  bool ipc() const { return way_ != Way::kLocal; }
   int depth() const { return depth_; }
   const End& producer() const { return producer_; }
   const End& consumer() const { return consumer_; }
@@ -43,16 +50,26 @@ class Edge {
 
   // Producer:
   /// Frames that can be sent now. An edge that may drop always has room.
-  int room() const;
-  void send(ipc::Message message);
+  int room();
+  /// Whether one can be sent. If not, the producer's link will be looked at when there is room.
+  bool has_room();
+  void send(const ipc::Message& message);
   /// The end always finds a place.
   void send_end();
+  /// Ends a call: what it has sent leaves now.
+  void publish(int64_t now_ns) {
+    if (ring_.staged() > 0) publish_staged(now_ns);
+  }
   void note_full() { full_.add(); }
 
   // Consumer:
-  bool peek(ipc::Message& message) const { return ring_.peek(message); }
-  bool take(ipc::Message& message);
-  size_t waiting() const { return ring_.size(); }
+  /// The oldest message, which stays where it is until pop(). Null if there is none: then the consumer's link
+  /// will be looked at when one comes.
+  const ipc::Message* front();
+  /// Takes the front away, at `now_ns` by the chain's clock.
+  void pop(int64_t now_ns);
+  /// For a core that spins: a message has come since front() found none. True only once.
+  bool arrived();
 
   uint64_t messages() const { return messages_.value(); }
   /// Times the producer found no room (kBlock), or frames that were dropped for want of it.
@@ -61,22 +78,40 @@ class Edge {
   const Histogram& hop() const { return hop_; }
 
  private:
+  /// How messages go: within a core; to another core; to another core that may find some taken back.
+  enum class Way { kLocal, kAcross, kEvicting };
+  /// In the region, before the ring: who waits for the other side.
+  struct Waits {
+    ipc::Mark message, room;
+  };
+
+  size_t queued();
   void push(const ipc::Message& message);
   void drop(const ipc::Message& message, const char* reason);
   void evict_to(size_t kept, const char* reason);
-  void tell(const End& end);
+  void publish_staged(int64_t now_ns);
+  void tell_of_message();
+  const ipc::Message* oldest();
 
   std::string name_;
   int depth_;
   Policy policy_;
+  Way way_;
   End producer_, consumer_;
   const Clock& clock_;
-  bool ipc_;
   bool wants_absence_ = true;
-  ipc::SharedRegion region_;
+  ipc::SharedRegion region_;  // of an edge between cores: Waits, then the ring
+  Waits* waits_ = nullptr;
+  LocalRing local_;
   ipc::Ring<ipc::Message> ring_;
-  Counter messages_, full_;
+  ipc::EvictingRing<ipc::Message> evicting_;
+  // The producer's.
+  alignas(ipc::kCacheLine) Counter messages_, full_;
   DropCounts dropped_;
+  // The consumer's.
+  alignas(ipc::kCacheLine) bool awaits_ = false;  // front() has found nothing
+  bool claimed_ = false;                          // kEvicting: the front is out of the ring
+  ipc::Message claim_;
   Histogram hop_;
 };
 

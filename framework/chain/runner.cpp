@@ -1,6 +1,7 @@
 #include "framework/chain/runner.h"
 
 #include <exception>
+#include <optional>
 #include <utility>
 
 namespace svchain {
@@ -41,12 +42,13 @@ void Runner::connect_output(int port, Edge* edge, std::vector<Pool*> pools, bool
 }
 
 Runner::Waiting Runner::waiting(int64_t now_ns) {
+  now_ns_ = now_ns;
   switch (state_) {
     case State::kIdle:
       return {Wait::kEnded, -1};
     case State::kEnded:
       for (const In& in : inputs_) {
-        if (in.edge && in.edge->waiting() > 0) return {};  // there is something to discard
+        if (in.edge && in.edge->front()) return {};  // there is something to discard
       }
       return {Wait::kEnded, -1};
     case State::kFinishing:
@@ -76,8 +78,8 @@ Runner::Waiting Runner::waiting_inputs() {
     } else if (in.feedback) {
       if (!feedback_ready(in)) feedback_port = port;
     } else if (description_.trigger == Trigger::kAny) {
-      any = any || in.edge->waiting() > 0;
-    } else if (!in.has_head && in.edge->waiting() == 0) {
+      any = any || in.edge->front();
+    } else if (!in.edge->front()) {
       return {Wait::kFrame, port};
     }
   }
@@ -89,14 +91,14 @@ Runner::Waiting Runner::waiting_inputs() {
 Runner::Waiting Runner::waiting_outputs() {
   for (size_t i = 0; i < outputs_.size(); ++i) {
     Out& out = outputs_[i];
-    const bool was_full = std::exchange(out.full, out.edge && out.edge->room() == 0);
+    const bool was_full = std::exchange(out.full, out.edge && !out.edge->has_room());
     if (out.full) {
       if (!was_full) out.edge->note_full();
       return {Wait::kRoom, static_cast<int>(i)};
     }
     if (out.preloaded) continue;
-    for (const Pool* pool : out.pools) {
-      if (pool->free() == 0) return {Wait::kBuffer, static_cast<int>(i)};
+    for (Pool* pool : out.pools) {
+      if (!holder_.has_free(*pool)) return {Wait::kBuffer, static_cast<int>(i)};
     }
   }
   return {};
@@ -105,21 +107,17 @@ Runner::Waiting Runner::waiting_outputs() {
 /// The token that answers the last call, older ones being of no more use. Before the first call nothing is
 /// waited for.
 bool Runner::feedback_ready(In& in) {
-  ipc::Message head;
-  while (in.edge->peek(head)) {
-    if (head.kind == ipc::MessageKind::kEnd) return true;
-    if (called_ && head.sequence >= trigger_.sequence) return true;
-    in.edge->take(head);
-    if (head.kind == ipc::MessageKind::kFrame) in.frame = Frame(head, holder_);
+  while (const ipc::Message* oldest = in.edge->front()) {
+    if (oldest->kind == ipc::MessageKind::kEnd) return true;
+    if (called_ && oldest->sequence >= trigger_.sequence) return true;
+    take_front(in);
   }
   return !called_;
 }
 
 void Runner::absorb_newest(In& in) {
-  ipc::Message message;
-  while (in.edge->take(message)) {
-    if (message.kind == ipc::MessageKind::kFrame) in.frame = Frame(message, holder_);
-    if (message.kind == ipc::MessageKind::kEnd) in.ended = true;
+  while (in.edge->front()) {
+    if (take_front(in) == ipc::MessageKind::kEnd) in.ended = true;
   }
 }
 
@@ -131,7 +129,7 @@ int64_t Runner::run(int64_t now_ns) {
   }
   if (state_ == State::kFinishing) {
     finish_link();
-    return clock_.now_ns();
+    return publish_outputs();
   }
   Gathered gathered = Gathered::kCall;
   if (is_source()) {
@@ -149,7 +147,7 @@ int64_t Runner::run(int64_t now_ns) {
     state_ = State::kFinishing;
     if (is_source()) end_outputs();
   }
-  const int64_t end_ns = clock_.now_ns();
+  const int64_t end_ns = publish_outputs();
   if (gathered == Gathered::kCall) {
     counters_.process.record(end_ns - now_ns);
     if (!is_source()) counters_.latency.record(end_ns - trigger_.captured_ns);
@@ -157,21 +155,36 @@ int64_t Runner::run(int64_t now_ns) {
   return end_ns;
 }
 
-/// Takes the head of every kEach input. An edge that drops may have taken its frame back since it was looked
-/// at: then the heads taken so far are kept for the next try.
-bool Runner::take_heads() {
+/// The end of a call, for the statistics as for what it has sent.
+int64_t Runner::publish_outputs() {
+  const int64_t end_ns = clock_.now_ns();
+  for (Out& out : outputs_) {
+    if (out.edge) out.edge->publish(end_ns);
+  }
+  return end_ns;
+}
+
+/// An edge that drops may have taken its frame back since it was looked at; from here on it does not.
+bool Runner::fronts_are_there() {
   for (In& in : inputs_) {
-    if (!in.edge || in.intake == Intake::kState || in.feedback || in.has_head) continue;
-    in.has_head = in.edge->take(in.head);
-    if (!in.has_head) return false;
+    if (!in.edge || in.intake == Intake::kState || in.feedback) continue;
+    if (!in.edge->front()) return false;
   }
   return true;
 }
 
+ipc::MessageKind Runner::take_front(In& in) {
+  const ipc::Message& front = *in.edge->front();
+  const ipc::MessageKind kind = front.kind;
+  if (kind == ipc::MessageKind::kFrame) in.frame = Frame(front, holder_);
+  in.edge->pop(now_ns_);
+  return kind;
+}
+
 Runner::Gathered Runner::gather_all() {
-  if (!take_heads()) return Gathered::kNothing;
+  if (!fronts_are_there()) return Gathered::kNothing;
   Gathered gathered = Gathered::kCall;
-  bool triggered = false;
+  std::optional<Moment> moment;
   bool state_missing = false;
   for (In& in : inputs_) {
     if (!in.edge) continue;
@@ -180,13 +193,10 @@ Runner::Gathered Runner::gather_all() {
     } else if (in.feedback) {
       gather_feedback(in);
     } else {
-      in.has_head = false;
-      if (in.head.kind == ipc::MessageKind::kFrame) in.frame = Frame(in.head, holder_);
-      if (in.head.kind == ipc::MessageKind::kEnd) gathered = Gathered::kEnd;
-      if (in.head.kind == ipc::MessageKind::kAbsence && gathered == Gathered::kCall)
-        gathered = Gathered::kSkip;
-      if (!triggered) next_trigger_ = in.head;
-      triggered = true;
+      if (!moment) moment = moment_of(*in.edge->front());
+      const ipc::MessageKind kind = take_front(in);
+      if (kind == ipc::MessageKind::kEnd) gathered = Gathered::kEnd;
+      if (kind == ipc::MessageKind::kAbsence && gathered == Gathered::kCall) gathered = Gathered::kSkip;
     }
   }
   feedback_excused_ = false;
@@ -195,7 +205,7 @@ Runner::Gathered Runner::gather_all() {
     gathered = Gathered::kSkip;
   }
   if (gathered != Gathered::kEnd) {
-    trigger_ = next_trigger_;
+    if (moment) trigger_ = *moment;
     called_ = true;
   }
   return gathered;
@@ -203,9 +213,8 @@ Runner::Gathered Runner::gather_all() {
 
 void Runner::gather_feedback(In& in) {
   if (!called_) return;
-  ipc::Message token;
-  if (!in.edge->take(token)) return counters_.late_feedback.add();
-  if (token.kind == ipc::MessageKind::kFrame) in.frame = Frame(token, holder_);
+  if (!in.edge->front()) return counters_.late_feedback.add();
+  take_front(in);
 }
 
 Runner::Gathered Runner::gather_any() {
@@ -213,14 +222,11 @@ Runner::Gathered Runner::gather_any() {
   bool all_ended = true;
   for (In& in : inputs_) {
     if (!in.edge || in.ended) continue;
-    ipc::Message message;
-    if (in.edge->take(message)) {
-      if (message.kind == ipc::MessageKind::kEnd) in.ended = true;
-      if (message.kind == ipc::MessageKind::kFrame) {
-        in.frame = Frame(message, holder_);
-        if (!frames) trigger_ = message;
-        frames = true;
-      }
+    if (const ipc::Message* front = in.edge->front()) {
+      const Moment moment = moment_of(*front);
+      const ipc::MessageKind kind = take_front(in);
+      if (kind == ipc::MessageKind::kEnd) in.ended = true;
+      if (kind == ipc::MessageKind::kFrame && !std::exchange(frames, true)) trigger_ = moment;
     }
     all_ended = all_ended && in.ended;
   }
@@ -299,7 +305,6 @@ void Runner::discard_inputs() {
 void Runner::release_frames() {
   for (In& in : inputs_) {
     in.frame.release();
-    if (std::exchange(in.has_head, false)) Frame(in.head, holder_).release();
   }
 }
 
@@ -309,13 +314,13 @@ Draft Runner::create(int port) {
   message.sequence = trigger_.sequence;
   message.captured_ns = is_source() ? now_ns_ : trigger_.captured_ns;
   for (Pool* pool : out.pools) {
-    const auto index = pool->take();
+    const auto index = holder_.has_free(*pool) ? pool->take() : std::nullopt;
     if (!index) {
       Frame(message, holder_).release();
       return {};
     }
     message.buffers[message.count] = {pool->id(), *index};
-    message.timestamp_ns[message.count] = trigger_.timestamp_ns[0];
+    message.timestamp_ns[message.count] = trigger_.timestamp_ns;
     ++message.count;
   }
   return Draft(Frame(message, holder_));
@@ -323,14 +328,14 @@ Draft Runner::create(int port) {
 
 void Runner::send(int port, Frame&& frame) {
   Out& out = outputs_[static_cast<size_t>(port)];
-  Frame sent = std::move(frame);
-  if (!out.edge) return;  // nobody listens: the buffers go home
-  if (out.edge->room() == 0) {
+  if (!out.edge) return frame.release();  // nobody listens: the buffers go home
+  if (!out.edge->has_room()) {
     counters_.dropped.add("no_room");
-    return;
+    return frame.release();
   }
   out.sent = true;
-  out.edge->send(sent.detach());
+  out.edge->send(frame.message());
+  frame.hand_over();
 }
 
 void Runner::run_parts(int count, Workers::Part part, const void* context) {

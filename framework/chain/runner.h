@@ -35,7 +35,7 @@ struct RunnerCounters {
   Histogram process, latency;
 };
 
-class Runner final : public Call {
+class alignas(ipc::kCacheLine) Runner final : public Call {
  public:
   enum class Wait { kNothing, kFrame, kRoom, kBuffer, kFeedback, kTime, kEnded };
   struct Waiting {
@@ -98,17 +98,16 @@ class Runner final : public Call {
 
  private:
   enum class State { kIdle, kRunning, kFinishing, kEnded };
-  struct In {
+  // On cache lines of their own: their neighbours in memory may belong to another core.
+  struct alignas(ipc::kCacheLine) In {
     Edge* edge = nullptr;
     Intake intake = Intake::kEach;
     bool optional = false;
     bool feedback = false;
     bool ended = false;
     Frame frame;
-    bool has_head = false;  // taken from the edge, not yet part of a call
-    ipc::Message head;
   };
-  struct Out {
+  struct alignas(ipc::kCacheLine) Out {
     Edge* edge = nullptr;
     std::vector<Pool*> pools;
     bool preloaded = false;
@@ -116,13 +115,22 @@ class Runner final : public Call {
     bool full = false;
   };
   enum class Gathered { kNothing, kCall, kSkip, kEnd };
+  /// Of a call's first input: sequence and times of what is made.
+  struct Moment {
+    uint64_t sequence = 0;
+    int64_t captured_ns = 0;
+    int64_t timestamp_ns = 0;
+  };
+  static Moment moment_of(const ipc::Message& m) { return {m.sequence, m.captured_ns, m.timestamp_ns[0]}; }
 
   Waiting waiting_inputs();
   Waiting waiting_outputs();
   bool feedback_ready(In& in);
   void absorb_newest(In& in);
-  bool take_heads();
+  bool fronts_are_there();
   Gathered gather_all();
+  /// Only where there is a front.
+  ipc::MessageKind take_front(In& in);
   void gather_feedback(In& in);
   Gathered gather_any();
   void call_link();
@@ -130,6 +138,7 @@ class Runner final : public Call {
   void fail(const char* what);
   void leave_absences();
   void end_outputs();
+  int64_t publish_outputs();
   void discard_inputs();
 
   std::string name_, core_;
@@ -148,8 +157,7 @@ class Runner final : public Call {
   bool called_ = false;
   bool failed_ = false;
   bool feedback_excused_ = false;
-  ipc::Message next_trigger_;
-  ipc::Message trigger_;  // of the call's first input: gives sequence and times to what is made
+  Moment trigger_;
   int64_t now_ns_ = 0;
   int64_t wake_at_ns_ = 0;
   Workers* workers_ = nullptr;

@@ -25,7 +25,7 @@ struct LinkHarness::State {
   explicit State(std::unique_ptr<Link> tested)
       : link(std::move(tested)),
         description(link->describe()),
-        returns(0, {}),
+        returns(0),
         holder(0, pools, returns),
         link_holder(1, pools, returns),
         input_formats(description.inputs.size()),
@@ -195,9 +195,10 @@ int LinkHarness::run(int calls) {
 namespace {
 
 std::optional<ipc::Message> take_if(Edge* edge, ipc::MessageKind kind) {
-  ipc::Message message;
-  if (!edge || !edge->peek(message) || message.kind != kind) return std::nullopt;
-  edge->take(message);
+  const ipc::Message* front = edge ? edge->front() : nullptr;
+  if (!front || front->kind != kind) return std::nullopt;
+  const ipc::Message message = *front;
+  edge->pop(0);
   return message;
 }
 

@@ -1,3 +1,4 @@
+#include "framework/buffer/attention.h"
 #include "framework/buffer/frame.h"
 #include "framework/buffer/holder.h"
 #include "tests/catch.h"
@@ -21,7 +22,7 @@ struct Fixture {
   }
   Attention attention{1};
   PoolTable pools;
-  ReturnPath returns{0, {}};
+  ReturnPath returns{0};
   Holder holder{0, pools, returns};
 };
 

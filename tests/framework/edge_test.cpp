@@ -1,7 +1,5 @@
 #include "framework/chain/edge.h"
 
-#include <utility>
-
 #include "ipc/doorbell.h"
 #include "tests/catch.h"
 
@@ -16,51 +14,80 @@ struct TwoCores {
              {.core = 1, .doorbell = &consumer}, clock) {}
 
   /// Whether the bell has been rung since it was asked last.
-  static bool rung(const ipc::Doorbell& bell, uint32_t& seen) {
-    return std::exchange(seen, bell.epoch()) != bell.epoch();
+  bool producer_rung() { return producer.take() != 0; }
+  bool consumer_rung() { return consumer.take() != 0; }
+  /// A call that sends one message.
+  void send() {
+    edge.send({});
+    edge.publish(0);
   }
-  bool producer_rung() { return rung(producer, producer_seen); }
-  bool consumer_rung() { return rung(consumer, consumer_seen); }
+  bool take() {
+    if (!edge.front()) return false;
+    edge.pop(0);
+    return true;
+  }
 
   VirtualClock clock;
   ipc::Doorbell producer, consumer;
-  uint32_t producer_seen = 0, consumer_seen = 0;
   Edge edge;
 };
 
 }  // namespace
 
-TEST_CASE("a message that comes to an empty edge rings its consumer, one that finds others there does not") {
+TEST_CASE("a message rings a consumer that has found none, and no other") {
   TwoCores cores(3);
-  cores.edge.send({});
+  cores.send();
+  CHECK_FALSE(cores.consumer_rung());  // it has not looked yet
+  CHECK(cores.take());
+  CHECK_FALSE(cores.take());
+  cores.send();
   CHECK(cores.consumer_rung());
-  cores.edge.send({});
+  cores.send();
   CHECK_FALSE(cores.consumer_rung());
-  ipc::Message message;
-  CHECK(cores.edge.take(message));
-  CHECK(cores.edge.take(message));
-  cores.edge.send({});
+  CHECK(cores.take());
+  CHECK(cores.take());
+  CHECK_FALSE(cores.take());
+  cores.send();
   CHECK(cores.consumer_rung());
+}
+
+TEST_CASE("what a call sends to another core leaves when the call ends") {
+  TwoCores cores(3);
+  CHECK_FALSE(cores.take());
+  cores.edge.send({});
+  cores.edge.send({});
+  CHECK(cores.edge.room() == 1);
+  CHECK_FALSE(cores.consumer_rung());
+  CHECK_FALSE(cores.take());
+  cores.edge.publish(7);
+  CHECK(cores.consumer_rung());
+  REQUIRE(cores.edge.front());
+  CHECK(cores.edge.front()->sent_ns == 7);
+  CHECK(cores.take());
+  CHECK(cores.take());
 }
 
 TEST_CASE("the end of the stream rings its consumer") {
   TwoCores cores(1);
-  cores.edge.send({});
-  ipc::Message message;
-  CHECK(cores.consumer_rung());
-  CHECK(cores.edge.take(message));
+  cores.send();
+  CHECK(cores.take());
+  CHECK_FALSE(cores.take());
   cores.edge.send_end();
+  cores.edge.publish(0);
   CHECK(cores.consumer_rung());
 }
 
-TEST_CASE("a message taken from a full edge rings its producer, one from an edge with room does not") {
+TEST_CASE("room rings a producer that has found none, and no other") {
   TwoCores cores(2);
-  cores.edge.send({});
-  cores.edge.send({});
-  CHECK(cores.edge.room() == 0);
-  ipc::Message message;
-  CHECK(cores.edge.take(message));
+  cores.send();
+  cores.send();
+  CHECK(cores.take());
+  CHECK_FALSE(cores.producer_rung());  // it has not looked yet
+  cores.send();
+  CHECK_FALSE(cores.edge.has_room());
+  CHECK(cores.take());
   CHECK(cores.producer_rung());
-  CHECK(cores.edge.take(message));
+  CHECK(cores.edge.has_room());
+  CHECK(cores.take());
   CHECK_FALSE(cores.producer_rung());
 }

@@ -6,6 +6,7 @@
 
 #include "ipc/message.h"
 #include "usecases/svchain_bench/other_hops.h"
+#include "usecases/svchain_bench/pinned.h"
 
 namespace svchain::bench {
 
@@ -24,7 +25,10 @@ class Loop {
   boost::asio::io_context context_{1};  // one thread runs it
   boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work_ =
       boost::asio::make_work_guard(context_);
-  std::thread thread_{[this] { context_.run(); }};
+  std::thread thread_{[this] {
+    pin(1);
+    context_.run();
+  }};
 };
 
 /// A message that goes to and fro. Lives on until both loops are gone.
@@ -44,6 +48,7 @@ struct PingPong {
 }  // namespace
 
 RoundTrips asio_round_trips(int trips) {
+  const Pinned pinned(0);
   RoundTrips measured(trips);
   boost::asio::io_context here{1};
   {
@@ -57,6 +62,7 @@ RoundTrips asio_round_trips(int trips) {
 }
 
 double asio_stream_ns(int messages) {
+  const Pinned pinned(0);
   const int64_t start_ns = now_ns();
   uint64_t sum = 0;
   {

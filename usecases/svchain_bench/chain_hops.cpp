@@ -41,7 +41,7 @@ double per_frame_ns(const Json& use_case, int spins, int frames) {
 }
 
 Json link(const std::string& type, const std::string& core) {
-  return {{"type", type}, {"core", core}};
+  return {{"type", type}, {"core", core}, {"params", {{"end", core == "B" ? 1 : 0}}}};
 }
 
 }  // namespace

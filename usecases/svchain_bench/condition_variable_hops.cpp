@@ -5,6 +5,7 @@
 
 #include "ipc/message.h"
 #include "usecases/svchain_bench/other_hops.h"
+#include "usecases/svchain_bench/pinned.h"
 
 namespace svchain::bench {
 
@@ -41,8 +42,10 @@ class Queue {
 }  // namespace
 
 RoundTrips condition_variable_round_trips(int trips) {
+  const Pinned pinned(0);
   Queue there, back;
   std::thread other([&] {
+    pin(1);
     for (int i = 0; i < trips; ++i) back.push(there.pop());
   });
   RoundTrips measured(trips);
@@ -57,8 +60,10 @@ RoundTrips condition_variable_round_trips(int trips) {
 }
 
 double condition_variable_stream_ns(int messages) {
+  const Pinned pinned(0);
   Queue queue;
   std::thread other([&] {
+    pin(1);
     for (int i = 0; i < messages; ++i) queue.pop();
   });
   const int64_t start_ns = now_ns();

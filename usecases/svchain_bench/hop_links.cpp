@@ -1,6 +1,7 @@
 #include "usecases/svchain_bench/hop_links.h"
 
 #include "framework/link/call.h"
+#include "usecases/svchain_bench/pinned.h"
 
 namespace svchain::bench {
 
@@ -16,15 +17,29 @@ LinkDescription description(std::string type, std::vector<PortDescription> input
   d.type = std::move(type);
   d.inputs = std::move(inputs);
   d.outputs = std::move(outputs);
+  d.parameters = {integer("end", 0, {0, 1}, "", "end of the hop, whose CPU the core's thread stays on")};
   return d;
 }
 
+/// What all of them have: the first to be started takes its core's thread to the CPU of its end.
+class HopLink : public Link {
+ public:
+  void configure(Configuration& configuration) override {
+    end_ = static_cast<int>(configuration.parameters().integer("end"));
+  }
+  void start() override { pin(end_); }
+
+ private:
+  int end_ = 0;
+};
+
 const PortFormat kTick = {Format::table("tick", 64)};
 
-class Ticker final : public Link {
+class Ticker final : public HopLink {
  public:
   LinkDescription describe() const override { return description("ticker", {}, {port("out")}); }
   void configure(Configuration& configuration) override {
+    HopLink::configure(configuration);
     configuration.output(0, kTick);
     count_ = configuration.pace().frames.value_or(1);
     next_ = 0;
@@ -41,20 +56,22 @@ class Ticker final : public Link {
   uint64_t count_ = 1, next_ = 0;
 };
 
-class Pass final : public Link {
+class Pass final : public HopLink {
  public:
   LinkDescription describe() const override {
     return description("pass", {port("in")}, {port("out", {"in"})});
   }
-  void configure(Configuration& configuration) override { configuration.output(0, configuration.input(0)); }
+  void configure(Configuration& configuration) override {
+    HopLink::configure(configuration);
+    configuration.output(0, configuration.input(0));
+  }
   void process(Call& call) override { call.send(0, call.take(0)); }
 };
 
-class Sink final : public Link {
+class Sink final : public HopLink {
  public:
   explicit Sink(Stretch& stretch) : stretch_(stretch) {}
   LinkDescription describe() const override { return description("sink", {port("in")}, {}); }
-  void configure(Configuration&) override {}
   void process(Call& call) override {
     const uint64_t sequence = call.input(0).sequence();
     if (sequence == stretch_.warm_up) stretch_.from_ns = now_ns();
@@ -66,13 +83,14 @@ class Sink final : public Link {
 };
 
 /// Sends a tick when the one before has come back, which then is done.
-class Ping final : public Link {
+class Ping final : public HopLink {
  public:
   explicit Ping(RoundTrips& round_trips) : round_trips_(round_trips) {}
   LinkDescription describe() const override {
     return description("ping", {port("tick"), port("back")}, {port("out", {"tick"}), port("done", {"back"})});
   }
   void configure(Configuration& configuration) override {
+    HopLink::configure(configuration);
     configuration.output(0, kTick);
     configuration.output(1, kTick);
   }

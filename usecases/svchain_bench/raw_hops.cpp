@@ -6,6 +6,7 @@
 
 #include "ipc/pause.h"
 #include "usecases/svchain_bench/other_hops.h"
+#include "usecases/svchain_bench/pinned.h"
 #include "usecases/svchain_bench/raw_ring.h"
 
 namespace svchain::bench {
@@ -64,8 +65,10 @@ struct Lane {
 
 template <class Waiter>
 RoundTrips round_trips(int trips) {
+  const Pinned pinned(0);
   auto there = std::make_unique<Lane<Waiter>>(), back = std::make_unique<Lane<Waiter>>();
   std::thread other([&] {
+    pin(1);
     ipc::Message message;
     for (int i = 0; i < trips; ++i) {
       there->pop(message, false);
@@ -85,8 +88,10 @@ RoundTrips round_trips(int trips) {
 
 template <class Waiter>
 double stream_ns(int messages) {
+  const Pinned pinned(0);
   auto lane = std::make_unique<Lane<Waiter>>();
   std::thread other([&] {
+    pin(1);
     ipc::Message message;
     for (int i = 0; i < messages; ++i) lane->pop(message, true);
   });
