@@ -8,6 +8,7 @@ packages="
   libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libopencv-videoio-dev libopencv-highgui-dev
   libopencv-calib3d-dev libopencv-contrib-dev
   libeigen3-dev libhwy-dev libboost-dev libspdlog-dev libexpected-dev nlohmann-json3-dev libcli11-dev libssl-dev libyaml-cpp-dev
+  libtinyobjloader-dev libtinygltf-dev
   catch2 libbenchmark-dev
 "
 

@@ -13,3 +13,5 @@ if(NOT TARGET yaml-cpp::yaml-cpp)  # before 0.8 the target had no namespace
   add_library(yaml-cpp::yaml-cpp ALIAS yaml-cpp)
 endif()
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
+find_package(tinyobjloader REQUIRED)
+find_package(TinyGLTF REQUIRED)

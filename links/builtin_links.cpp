@@ -1,5 +1,6 @@
 #include "links/builtin_links.h"
 
+#include "links/bowl/bowl_view.h"
 #include "links/capture/capture.h"
 #include "links/display/display.h"
 #include "links/dup.h"
@@ -8,6 +9,7 @@
 #include "links/merge.h"
 #include "links/null.h"
 #include "links/null_source.h"
+#include "links/overlap_sampling.h"
 #include "links/photometric_alignment.h"
 #include "links/select.h"
 #include "links/sync/sync.h"
@@ -41,6 +43,7 @@ SettingDescription view_setting() {
 }  // namespace
 
 void add_builtin_links(Catalogue& catalogue) {
+  catalogue.add(make_bowl_view);
   catalogue.add(make_capture);
   catalogue.add(make_display);
   catalogue.add(make_dup);
@@ -49,6 +52,7 @@ void add_builtin_links(Catalogue& catalogue) {
   catalogue.add(make_merge);
   catalogue.add(make_null);
   catalogue.add(make_null_source);
+  catalogue.add(make_overlap_sampling);
   catalogue.add(make_photometric_alignment);
   catalogue.add(make_select);
   catalogue.add(make_sync);

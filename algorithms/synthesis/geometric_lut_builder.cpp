@@ -8,6 +8,7 @@
 #include "algorithms/synthesis/geometric_lut.h"
 #include "algorithms/synthesis/lut_block_writer.h"
 #include "algorithms/synthesis/lut_cell.h"
+#include "algorithms/synthesis/lut_header.h"
 #include "algorithms/synthesis/lut_writer.h"
 #include "algorithms/synthesis/point_sources.h"
 #include "algorithms/synthesis/vehicle_silhouette.h"
@@ -61,32 +62,6 @@ void check(const geometry::Rig& rig, const geometry::View& view, const BlendShap
     refuse("the blend is " + std::to_string(shape.width_deg) + " degrees wide, expected 0 to 90");
 }
 
-/// 1/32 px. Falloff is about the axis; a lens that does not see it is one whose image has no such centre.
-std::array<int32_t, 2> lens_centre(const geometry::Camera& camera) {
-  const auto centre = camera.lens->project({0, 0, 1});
-  const Eigen::Vector2d px =
-      centre ? *centre : (camera.image_size_px.cast<double>() - Eigen::Vector2d::Ones()) / 2;
-  return {static_cast<int32_t>(std::lround(px.x() * kOnePixel)),
-          static_cast<int32_t>(std::lround(px.y() * kOnePixel))};
-}
-
-void fill_header(LutHeader& header, const geometry::Rig& rig, const geometry::View& view) {
-  header.magic = kLutMagic;
-  header.version = kLutVersion;
-  header.camera_count = 4;
-  header.block_count = static_cast<uint32_t>(block_count(view.size_px));
-  header.width = view.size_px.x();
-  header.height = view.size_px.y();
-  header.metres_per_px = view.metres_per_px;
-  header.centre_m[0] = view.centre_m.x();
-  header.centre_m[1] = view.centre_m.y();
-  for (int i = 0; i < 4; ++i) {
-    const geometry::Camera& camera = rig.cameras[i];
-    header.image_size_px[i] = {camera.image_size_px.x(), camera.image_size_px.y()};
-    header.lens_centre[i] = lens_centre(camera);
-  }
-}
-
 }  // namespace
 
 size_t geometric_lut_capacity(const geometry::View& view, size_t cameras) {
@@ -114,12 +89,14 @@ size_t build_geometric_lut(const geometry::Rig& rig, const geometry::View& view,
 size_t build_geometric_lut(const geometry::Rig& rig, const RaysFromGround& rays, const geometry::View& view,
                            const BlendShape& shape, std::span<std::byte> memory) {
   check(rig, view, shape);
-  if (reinterpret_cast<uintptr_t>(memory.data()) % alignof(LutHeader) != 0)
-    refuse("the memory is not aligned");
+  require_aligned(memory);
 
   LutWriter writer(memory);
   LutHeader& header = *writer.append<LutHeader>(1);
-  fill_header(header, rig, view);
+  fill_header(header, rig, view.size_px);
+  header.metres_per_px = view.metres_per_px;
+  header.centre_m[0] = view.centre_m.x();
+  header.centre_m[1] = view.centre_m.y();
   LutBlock* block = writer.append<LutBlock>(header.block_count);
 
   const cv::Mat background = vehicle_silhouette(rig.vehicle, view);

@@ -2,6 +2,7 @@
 // Turns the cells of one block after the other into a LUT's lists (geometric_lut.h). Borrows everything; one
 // thread.
 
+#include <algorithm>
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
@@ -9,6 +10,15 @@
 #include "algorithms/synthesis/lut_writer.h"
 
 namespace svchain::synthesis {
+
+/// Most bytes that a block's content takes, where every pixel may have so many taps.
+constexpr size_t most_block_content(size_t taps) {
+  constexpr size_t kMostRegions = 10;  // black, background, four cameras, four pairs of neighbours
+  constexpr size_t kPixels = size_t{kBlockSize} * kBlockSize;
+  const size_t pixel = std::max<size_t>(taps * sizeof(uint32_t) + 1, 3) + sizeof(LutSpan);
+  const size_t lists = kMostRegions * sizeof(LutRegion) + kMostRows * sizeof(LutRow) + kPixels * pixel;
+  return (lists + 2 * kLutContentAlignment - 1) / kLutContentAlignment * kLutContentAlignment;
+}
 
 class LutBlockWriter {
  public:

@@ -1,19 +1,13 @@
 #include "algorithms/synthesis/lut_file.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <system_error>
-#include <unistd.h>
 
 #include "algorithms/synthesis/geometric_lut.h"
+#include "algorithms/synthesis/stored_block.h"
 
 namespace svchain::synthesis {
 
@@ -21,46 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "LUT files are little-endian");
-
-constexpr std::array<char, 8> kMagic = {'S', 'V', 'C', 'H', 'L', 'U', 'T', '\n'};
-constexpr uint32_t kFileVersion = 1;
-
-struct FileHeader {
-  std::array<char, 8> magic = kMagic;
-  uint32_t version = kFileVersion;
-  uint32_t header_bytes = sizeof(FileHeader);
-  uint64_t lut_bytes = 0;
-  uint64_t checksum = 0;
-};
-static_assert(sizeof(FileHeader) == 32);
-
-uint64_t fnv1a(std::span<const std::byte> bytes) {
-  uint64_t hash = 14695981039346656037u;
-  for (const std::byte b : bytes) hash = (hash ^ static_cast<uint64_t>(b)) * 1099511628211u;
-  return hash;
-}
-
-std::string why_not() {
-  return errno ? std::strerror(errno) : "the disk took less than all of it";
-}
-
-/// What is wrong with the file as a file; "" for nothing. `lut` is its content behind the header.
-std::string damage(const FileHeader& header, uint64_t file_bytes, std::span<const std::byte> lut) {
-  const std::string bytes = std::to_string(file_bytes) + " bytes long";
-  if (file_bytes < sizeof(FileHeader) || header.magic != kMagic)
-    return "is no LUT file, expected one that was stored by geometric alignment";
-  if (header.version != kFileVersion) {
-    return "is a LUT file of version " + std::to_string(header.version) + ", expected " +
-           std::to_string(kFileVersion);
-  }
-  if (lut.size() != header.lut_bytes) {
-    return "is " + bytes + ", expected " + std::to_string(sizeof(FileHeader) + header.lut_bytes) +
-           (lut.size() < header.lut_bytes ? ": it was cut short" : "");
-  }
-  if (fnv1a(lut) != header.checksum) return "is damaged: its checksum is not that of its content";
-  return "";
-}
+const StoredFormat kFormat = {{'S', 'V', 'C', 'H', 'L', 'U', 'T', '\n'}, 1, "LUT", "geometric alignment"};
 
 std::string size_text(int width, int height) {
   return std::to_string(width) + " x " + std::to_string(height) + " px";
@@ -118,51 +73,20 @@ class Differences {
 }  // namespace
 
 void write_lut_file(const fs::path& path, std::span<const std::byte> lut) {
-  FileHeader header;
-  header.lut_bytes = lut.size();
-  header.checksum = fnv1a(lut);
-  fs::path part = path;
-  part += "." + std::to_string(getpid()) + ".part";
-  errno = 0;
-  std::ofstream file(part, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(&header), sizeof(header));
-  file.write(reinterpret_cast<const char*>(lut.data()), static_cast<std::streamsize>(lut.size()));
-  file.close();
-  std::string why = file ? "" : why_not();
-  std::error_code failed;
-  if (file) fs::rename(part, path, failed);
-  if (failed) why = failed.message();
-  if (why.empty()) return;
-  fs::remove(part, failed);
-  throw std::runtime_error(path.string() + ": the LUT could not be written: " + why);
+  write_block(path, kFormat, lut);
 }
 
 Result<std::vector<std::byte>> read_lut_file(const fs::path& path, const geometry::Rig& rig,
                                              const geometry::View& view) {
-  const std::string name = path.string();
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) return fail(name, "is a folder, expected a LUT file");
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return fail(name, "cannot be read: " + std::string(std::strerror(errno)));
-
-  FileHeader header;
-  file.read(reinterpret_cast<char*>(&header), sizeof(header));
-  const auto header_bytes = static_cast<uint64_t>(file.gcount());
-  std::vector<std::byte> lut;
-  if (file && header.magic == kMagic) {
-    lut.resize(fs::file_size(path) - sizeof(header));
-    file.read(reinterpret_cast<char*>(lut.data()), static_cast<std::streamsize>(lut.size()));
-  }
-  if (const std::string what = damage(header, header_bytes + lut.size(), lut); !what.empty())
-    return fail(name, what);
+  auto lut = read_block(path, kFormat);
+  if (!lut) return lut;
   try {
-    Differences differences(name, GeometricLut(lut).header());
+    Differences differences(path.string(), GeometricLut(*lut).header());
     differences.of_view(view);
     differences.of_cameras(rig);
     if (!differences.faults.empty()) return tl::unexpected(std::move(differences.faults));
   } catch (const std::invalid_argument& error) {
-    return fail(name, error.what());
+    return fail(path.string(), error.what());
   }
   return lut;
 }

@@ -1,7 +1,6 @@
 #pragma once
-// A geometric LUT on disk: what a car keeps from one power-up to the next. A header of 32 bytes (magic,
-// version of the file format, length and FNV-1a 64 of what follows) and the LUT as geometric_lut.h lays it
-// out, little-endian. Functions may be called from any thread.
+// A geometric LUT on disk, as stored_block.h stores it: what a car keeps from one power-up to the next.
+// Functions may be called from any thread.
 
 #include <cstddef>
 #include <filesystem>

@@ -17,10 +17,15 @@ inline constexpr size_t kLutContentAlignment = 64;  // a block's content starts 
   throw std::invalid_argument("geometric LUT: " + message);
 }
 
+inline void require_aligned(std::span<std::byte> memory) {
+  if (reinterpret_cast<uintptr_t>(memory.data()) % alignof(double) != 0) refuse("the memory is not aligned");
+}
+
 /// Grows a LUT at the end of what is written.
 class LutWriter {
  public:
-  explicit LutWriter(std::span<std::byte> memory) : memory_(memory) {}
+  /// Goes on behind the first `used` bytes.
+  explicit LutWriter(std::span<std::byte> memory, size_t used = 0) : memory_(memory), used_(used) {}
 
   template <class T>
   T* append(size_t count) {
@@ -42,7 +47,7 @@ class LutWriter {
 
  private:
   std::span<std::byte> memory_;
-  size_t used_ = 0;
+  size_t used_;
 };
 
 }  // namespace svchain::synthesis

@@ -66,4 +66,15 @@ PointSources SourceFinder::find(const Eigen::Vector3d& point, int main, int othe
   return sources;
 }
 
+PointSources SourceFinder::find_pair(const Eigen::Vector3d& point) const {
+  const CameraShares shares = camera_shares(vehicle_, shape_, point.head<2>());
+  const auto first = reaches_[shares.first].see(point), second = reaches_[shares.second].see(point);
+  const double first_fade = first ? first->fade : 0, second_fade = second ? second->fade : 0;
+  if (first_fade <= 0 && second_fade <= 0) return {};
+  if (second_fade <= 0) return one(shares.first, *first);
+  if (first_fade <= 0) return one(shares.second, *second);
+  const int weight = first_weight(shape_, shares.share_of_first, first_fade, second_fade);
+  return {2, {shares.first, shares.second}, {first->pixel, second->pixel}, shown_weight(shape_, weight)};
+}
+
 }  // namespace svchain::synthesis

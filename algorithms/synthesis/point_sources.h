@@ -30,6 +30,9 @@ class SourceFinder {
 
   /// Of a point that, seen from above, is not under the vehicle (vehicle frame, metres).
   PointSources find(const Eigen::Vector3d& point) const;
+  /// The same, but with both cameras wherever both see the point, even one that has no share in it (a weight
+  /// of 0 or 255): for interpolating between points.
+  PointSources find_pair(const Eigen::Vector3d& point) const;
 
  private:
   PointSources find(const Eigen::Vector3d& point, int main, int other, const CameraShares& shares) const;

@@ -10,6 +10,7 @@
 #include "links/geometric_alignment/charts_alignment.h"
 #include "links/geometric_alignment/features_alignment.h"
 #include "links/picture_parameters.h"
+#include "links/rig_table.h"
 #include "links/shown_frame.h"
 
 namespace svchain {
@@ -17,7 +18,7 @@ namespace svchain {
 namespace {
 
 constexpr int kFrames = 0;
-constexpr int kLut = 0;
+constexpr int kLut = 0, kRig = 1;
 constexpr size_t kCameraCount = 4;
 
 class GeometricAlignment final : public Link {
@@ -30,10 +31,12 @@ class GeometricAlignment final : public Link {
                  .types = {"bgr8", "nv12", "yuyv"},
                  .count = kCameraCount,
                  .help = "sets of four, front right rear left"}};
-    d.outputs = {{.name = "lut",
-                  .types = {"geometric_lut"},
-                  .count = 1,
-                  .help = "where every output pixel comes from"}};
+    d.outputs = {
+        {.name = "lut",
+         .types = {"geometric_lut"},
+         .count = 1,
+         .help = "where every output pixel comes from"},
+        {.name = "rig", .types = {"rig"}, .count = 1, .help = "the cameras as they have been calibrated"}};
     d.parameters = alignment_parameters();
     return d;
   }
@@ -43,6 +46,7 @@ class GeometricAlignment final : public Link {
     check_sizes(configuration);
     check_colours(configuration, kFrames);
     configuration.output(kLut, {Format::table("geometric_lut", lut_capacity())});
+    offer_rig(configuration);
     real_times_ = !configuration.pace().virtual_clock;
     due_ = true;
     luts_ = kept_ = 0;
@@ -60,6 +64,7 @@ class GeometricAlignment final : public Link {
     make(frames, lut.bytes());
     if (reasons_.empty()) {
       call.send(kLut, std::move(lut));
+      if (gives_rig_) send_rig(call);
       ++luts_;
     } else if (luts_ == 0) {
       throw std::runtime_error(text_of_reasons());
@@ -103,6 +108,23 @@ class GeometricAlignment final : public Link {
     return std::max(settings_.saved.size(), synthesis::geometric_lut_capacity(settings_.view, kCameraCount));
   }
 
+  /// A stored LUT has no poses, and features align the ground alone.
+  void offer_rig(Configuration& configuration) {
+    gives_rig_ = configuration.output_connected(kRig);
+    configuration.output(kRig, {rig_format(settings_.rig)});
+    if (gives_rig_ && (settings_.source == "saved" || settings_.source == "features"))
+      configuration.parameter_fault("source",
+                                    settings_.source +
+                                        " gives no poses of the cameras, which the output \"rig\" is "
+                                        "for, expected rig, nominal or charts");
+  }
+
+  void send_rig(Call& call) {
+    Draft rig = call.create(kRig);
+    write_rig(aligned_rig_, rig.bytes());
+    call.send(kRig, std::move(rig));
+  }
+
   static bool is_complete(const Frame& frames) {
     for (int c = 0; c < frames.count(); ++c)
       if (!frames.has(c)) return false;
@@ -131,6 +153,7 @@ class GeometricAlignment final : public Link {
   size_t align(const Frame& frames, std::span<std::byte> memory) {
     GroundAlignment aligned = alignment_of(frames);
     reasons_ = std::move(aligned.reasons);
+    aligned_rig_ = aligned.rig;
     accuracy_ = std::move(aligned.accuracy);
     if (!reasons_.empty()) return 0;
     return synthesis::build_geometric_lut(aligned.rig, aligned.rays, settings_.view, settings_.shape, memory);
@@ -188,6 +211,8 @@ class GeometricAlignment final : public Link {
   }
 
   AlignmentSettings settings_;
+  geometry::Rig aligned_rig_;  // of the last alignment
+  bool gives_rig_ = false;
   bool real_times_ = false;
   bool due_ = true;
   uint64_t luts_ = 0;                             // sent

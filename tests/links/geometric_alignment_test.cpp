@@ -5,6 +5,7 @@
 
 #include "algorithms/scene/nominal_rig.h"
 #include "algorithms/synthesis/lut_file.h"
+#include "links/rig_table.h"
 #include "tests/catch.h"
 #include "tests/links/pictures.h"
 #include "tests/links/simulated_cars.h"
@@ -61,6 +62,29 @@ std::string faults_with(const std::vector<std::pair<std::string, std::string>>& 
 }
 
 }  // namespace
+
+TEST_CASE("who wants the rig gets it with the LUT, as calibration found it") {
+  AlignmentAlone alignment(parking_car(), "charts", AlignmentAlone::Rig::kWanted);
+  first_lut(alignment);
+  const auto frame = alignment.pop("rig");
+  REQUIRE(frame);
+  const geometry::Rig rig = read_rig_table(frame->bytes());
+  const geometry::Rig truth = parking_car().scene.rig, tape = scene::nominal_rig(parking_car().scene);
+  for (size_t c = 0; c < truth.cameras.size(); ++c) {
+    const auto off = [&](const geometry::Rig& other) {
+      return (other.cameras[c].vehicle_from_camera.translation -
+              truth.cameras[c].vehicle_from_camera.translation)
+          .norm();
+    };
+    CHECK(off(rig) < 0.2 * off(tape));
+  }
+}
+
+TEST_CASE("a rig is refused where alignment makes none, and the sources that do are named") {
+  AlignmentAlone alignment(parking_car(), "features", AlignmentAlone::Rig::kWanted);
+  CHECK_THAT(text_of(alignment.configure()),
+             Contains("features gives no poses of the cameras") && Contains("rig, nominal or charts"));
+}
 
 TEST_CASE("charts: every pixel shows the ground it stands for to a quarter of a pixel, from poses by tape") {
   for (const SimulatedCar* car : {&parking_car(), &toy_car()}) {

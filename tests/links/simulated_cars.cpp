@@ -42,8 +42,9 @@ const SimulatedCar& toy_car() {
   return car;
 }
 
-AlignmentAlone::AlignmentAlone(const SimulatedCar& car, const std::string& source)
+AlignmentAlone::AlignmentAlone(const SimulatedCar& car, const std::string& source, Rig rig)
     : LinkHarness(make_geometric_alignment()), car_(car) {
+  if (rig == Rig::kUnwanted) disconnect("rig");
   parameter("source", source);
   setting("input", car.input);
   setting("rig", nullptr);

@@ -26,8 +26,9 @@ const SimulatedCar& parking_car();
 const SimulatedCar& toy_car();
 
 struct AlignmentAlone : LinkHarness {
-  /// With a view of 440 x 540 px.
-  AlignmentAlone(const SimulatedCar& car, const std::string& source);
+  enum class Rig { kUnwanted, kWanted };
+  /// With a view of 440 x 540 px, and an output "rig" that is connected or not.
+  AlignmentAlone(const SimulatedCar& car, const std::string& source, Rig rig = Rig::kUnwanted);
 
   void push_pictures();
   void push_black();
