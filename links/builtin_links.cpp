@@ -1,6 +1,8 @@
 #include "links/builtin_links.h"
 
+#include "links/bowl/bowl_settings.h"
 #include "links/bowl/bowl_view.h"
+#include "links/bowl/mesh_table.h"
 #include "links/capture/capture.h"
 #include "links/display/display.h"
 #include "links/dup.h"
@@ -50,6 +52,7 @@ void add_builtin_links(Catalogue& catalogue) {
   catalogue.add(make_gate);
   catalogue.add(make_geometric_alignment);
   catalogue.add(make_merge);
+  catalogue.add(make_mesh_table);
   catalogue.add(make_null);
   catalogue.add(make_null_source);
   catalogue.add(make_overlap_sampling);
@@ -59,6 +62,8 @@ void add_builtin_links(Catalogue& catalogue) {
   catalogue.add(make_synthesis);
 
   catalogue.add(view_setting());
+  catalogue.add(bowl_setting());
+  catalogue.add(car_setting());
   catalogue.add(
       {"rig", "rig file of the cameras; left out: the simulated scene's own", {path("value", "rig file")}});
   catalogue.add(

@@ -1,27 +1,38 @@
 #pragma once
 // The car as a viewpoint shows it, kept so that a viewpoint that stands still costs one alpha blend a frame.
 // Edges have four samples a pixel; lighting.h says how surfaces look and contact_shadow.h how dark the ground
-// under them is. Owns the model and the picture. One thread at a time: `render` in one, `blend_over` and the
-// readers in any between two renderings.
+// under them is. Owns the model and the picture.
+//
+// The steps are begin(), by one thread, then draw() of all parts, by any threads at the same time; render()
+// does both in one. `blend_over` and the readers in any thread between two renderings. They allocate only
+// where the car needs more than in all pictures before.
 
+#include <array>
 #include <opencv2/core/mat.hpp>
 
 #include "algorithms/car/car_model.h"
 #include "algorithms/car/contact_shadow.h"
 #include "algorithms/car/lighting.h"
 #include "algorithms/car/rasteriser.h"
+#include "algorithms/car/row_lighting.h"
+#include "algorithms/car/sample_row.h"
 #include "algorithms/car/viewpoint.h"
 
 namespace svchain::car {
 
 class CarPicture {
  public:
+  static constexpr int kMostParts = 16;
+
   /// The model stands on the ground of the vehicle's frame; the shadow is the vehicle's rectangle's.
   CarPicture(CarModel model, const geometry::Vehicle& vehicle, const Light& light = bright_day());
 
-  /// Draws the car, `opacity` (0..1) times as dense as it is, shadow included. Whatever is out of sight or
-  /// behind the eye is left out; an eye inside the car sees it from there. Allocates where the car has never
-  /// been that large in the picture.
+  /// Prepares to draw the car, `opacity` (0..1) times as dense as it is, shadow included. Whatever is out of
+  /// sight or behind the eye is left out; an eye inside the car sees it from there.
+  void begin(const Viewpoint& viewpoint, float opacity = 1);
+  /// 1 to kMostParts parts.
+  void draw(int part, int parts);
+  /// All of it, in one part.
   void render(const Viewpoint& viewpoint, float opacity = 1);
 
   /// Lays the rendered car over a picture (CV_8UC3) of the viewpoint's size. Throws std::invalid_argument for
@@ -34,30 +45,26 @@ class CarPicture {
   const cv::Rect& rectangle() const { return rectangle_; }
 
  private:
-  struct Face {
-    Eigen::Vector3f normal;  // of its plane
-    uint32_t part;
-  };
-  /// The ray from the eye at sample (i, j) of the rectangle, in the vehicle's frame: first + i right + j
-  /// down.
-  struct Rays {
-    Eigen::Vector3f eye, first, right, down;
+  /// What a part works in.
+  struct Desk {
+    SampleBand samples;
+    SampleRow row;
   };
 
-  cv::Rect extent(const Viewpoint& viewpoint) const;
-  Lit lit_triangle(uint32_t triangle, const Eigen::Vector3f& ray, const Eigen::Vector3f& eye) const;
-  Lit lit_sample(const Sample& sample, const Eigen::Vector3f& ray, const Eigen::Vector3f& eye) const;
-  Lit lit_pixel(int column, int row, const Rays& rays) const;
-  bool alike(uint32_t a, uint32_t b) const;
-  float shadow(const Eigen::Vector3f& ray, const Eigen::Vector3f& eye) const;
+  cv::Rect extent(const Viewpoint& viewpoint, const Rasteriser::Bounds& model) const;
+  void draw_band(int band, Desk& desk);
 
   CarModel model_;
   ContactShadow shadow_;
-  Light light_;
   Eigen::AlignedBox3f box_;
-  std::vector<Face> faces_;
+  std::vector<Plane> planes_;
+  std::vector<Substance> substances_;  // of the parts
   uint32_t first_translucent_ = 0;
   Rasteriser rasteriser_;
+  std::vector<Facet> facets_;
+  Scenery scenery_;
+  float opacity_ = 1;
+  std::array<Desk, kMostParts> desks_;
   cv::Mat memory_;   // as large as the largest picture so far
   cv::Mat picture_;  // the part of it that is in use
   cv::Rect rectangle_;

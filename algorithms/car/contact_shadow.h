@@ -24,13 +24,17 @@ class ContactShadow {
 
   /// 0 in full light to 1, at a point of the ground in the vehicle's frame.
   float shadow_at(const Eigen::Vector2f& ground) const {
-    const float radius = 0.1f * width_;
-    const Eigen::Vector2f q = (ground.cwiseAbs() - half_).array() + radius;
-    const float distance = q.cwiseMax(0).norm() + std::min(q.maxCoeff(), 0.0f) - radius;
-    return 1 - smoothstep(0, kSoftness * width_, distance);
+    const Eigen::Vector2f q = (ground.cwiseAbs() - half_).array() + radius();
+    const float distance = q.cwiseMax(0).norm() + std::min(q.maxCoeff(), 0.0f) - radius();
+    return 1 - smoothstep(0, soft(), distance);
   }
   /// Half the sides of the rectangle outside of which there is none.
-  Eigen::Vector2f reach() const { return half_.array() + kSoftness * width_; }
+  Eigen::Vector2f reach() const { return half_.array() + soft(); }
+
+  // The formula's h, r and the width of the shadow's edge.
+  const Eigen::Vector2f& half() const { return half_; }
+  float radius() const { return 0.1f * width_; }
+  float soft() const { return kSoftness * width_; }
 
  private:
   static constexpr float kSoftness = 0.22f;

@@ -57,8 +57,7 @@ class BowlView final : public Link {
                  .optional = true,
                  .help = "applied to the next frame; the identity before the first"}};
     d.outputs = {{.name = "view", .types = {"bgr8"}, .count = 1, .help = "the picture"}};
-    for (const auto& part : {viewpoint_parameters(), surface_parameters(), car_parameters()})
-      d.parameters.insert(d.parameters.end(), part.begin(), part.end());
+    d.parameters = viewpoint_parameters();
     return d;
   }
 
@@ -94,7 +93,8 @@ class BowlView final : public Link {
 
   nlohmann::json control(const std::string& command, const nlohmann::json& arguments) override {
     if (command == "viewpoint") return motion_.go_to(arguments);
-    throw std::invalid_argument("no command \"" + command + "\", expected viewpoint");
+    if (command == "bowl") return change_surface(arguments);
+    throw std::invalid_argument("no command \"" + command + "\", expected viewpoint or bowl");
   }
 
   void report(nlohmann::json& report) const override {
@@ -106,13 +106,21 @@ class BowlView final : public Link {
   void read_settings(Configuration& configuration) {
     const auto rig = nominal_rig_in_use(configuration);
     if (!rig) return configuration.faults(rig.error());
-    surface_ = surface_in_use(configuration, rig->vehicle);
-    shape_ = blend_in_use(configuration.parameters());
-    motion_.configure(configuration, rig->vehicle, surface_);
-    car_opacity_ = static_cast<float>(configuration.parameters().number("car_opacity"));
-    auto model = car_in_use(configuration, rig->vehicle);
+    vehicle_ = rig->vehicle;
+    surface_ = surface_in_use(configuration, vehicle_);
+    shape_ = bowl_blend_in_use(configuration);
+    motion_.configure(configuration, vehicle_, surface_);
+    car_opacity_ = car_opacity_in_use(configuration);
+    auto model = car_in_use(configuration, vehicle_);
     car_.reset();
-    if (model && car_opacity_ > 0) car_.emplace(std::move(*model), rig->vehicle);
+    if (model) car_.emplace(std::move(*model), vehicle_);
+  }
+
+  nlohmann::json change_surface(const nlohmann::json& arguments) {
+    surface_ = changed(surface_, arguments, vehicle_);
+    motion_.follow(surface_);
+    rig_at_ = nullptr;  // the next frame makes all anew
+    return {{"bowl", "with the next frame"}};
   }
 
   double time_s(const Frame& set) {
@@ -132,10 +140,11 @@ class BowlView final : public Link {
     if (lut_ && viewpoint == shown_) return;
     const int parts = std::min(call.cpus() * kPartsPerCpu, bowl::ViewpointLut::kMostParts);
     maker_->begin(viewpoint, size_px_, lut_memory_);
+    if (car_) car_->begin(pinhole_of(viewpoint, size_px_), car_opacity_);
     call.parallel(parts, [&](int i) { maker_->make_nodes(i, parts); });
     call.parallel(parts, [&](int i) { maker_->write_blocks(i, parts); });
     lut_.emplace(std::span(lut_memory_).first(maker_->finish(parts)));
-    if (car_) car_->render(pinhole_of(viewpoint, size_px_), car_opacity_);
+    if (car_) call.parallel(parts, [&](int i) { car_->draw(i, parts); });
     shown_ = viewpoint;
     ++luts_;
   }
@@ -152,6 +161,7 @@ class BowlView final : public Link {
 
   const synthesis::Kernel kernel_ = synthesis::best_kernel();
   Eigen::Vector2i size_px_ = {0, 0};
+  geometry::Vehicle vehicle_;
   bowl::BowlSurface surface_;
   synthesis::BlendShape shape_;
   ViewpointMotion motion_;

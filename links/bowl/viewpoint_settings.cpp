@@ -6,6 +6,7 @@
 
 #include "algorithms/bowl/path_json.h"
 #include "algorithms/bowl/viewpoint_presets.h"
+#include "links/command_arguments.h"
 
 namespace svchain {
 
@@ -28,9 +29,9 @@ std::vector<std::string> viewpoint_names() {
   return names;
 }
 
-Eigen::Vector3d vector_of(const nlohmann::json& values, const char* name) {
-  const auto three = values.at(name).get<std::vector<double>>();
-  if (three.size() != 3) throw std::invalid_argument(std::string(name) + ": expected three numbers");
+Eigen::Vector3d vector_of(const Parameters& given, const char* name, const Eigen::Vector3d& otherwise) {
+  if (!given.given(name)) return otherwise;
+  const auto three = given.numbers(name);
   return {three[0], three[1], three[2]};
 }
 
@@ -66,15 +67,19 @@ Result<ViewpointMotion::Source> ViewpointMotion::named(const std::string& name) 
                       ", or a path file (.json)" + did_you_mean(name, viewpoint_names()));
 }
 
-Result<ViewpointMotion::Source> ViewpointMotion::placed(const nlohmann::json& values) const {
+Result<ViewpointMotion::Source> ViewpointMotion::placed(const Parameters& given) const {
   bowl::Viewpoint viewpoint;
-  viewpoint.eye_m = vector_of(values, "eye_m");
-  viewpoint.target_m = values.contains("target_m") ? vector_of(values, "target_m") : Eigen::Vector3d::Zero();
-  viewpoint.up = values.contains("up") ? vector_of(values, "up") : Eigen::Vector3d::UnitZ();
-  viewpoint.field_of_view_deg = values.value("field_of_view_deg", 60.0);
+  viewpoint.eye_m = vector_of(given, "eye_m", {0, 0, 0});
+  viewpoint.target_m = vector_of(given, "target_m", {0, 0, 0});
+  viewpoint.up = vector_of(given, "up", {0, 0, 1});
+  if (given.given("field_of_view_deg")) viewpoint.field_of_view_deg = given.number("field_of_view_deg");
   Faults faults = check(viewpoint, vehicle_, surface_);
   if (!faults.empty()) return tl::unexpected(std::move(faults));
   return Source{viewpoint, {}};
+}
+
+Result<ViewpointMotion::Source> ViewpointMotion::wanted(const Parameters& given) const {
+  return given.given("eye_m") ? placed(given) : named(given.text("viewpoint"));
 }
 
 void ViewpointMotion::configure(Configuration& configuration, const geometry::Vehicle& vehicle,
@@ -83,9 +88,9 @@ void ViewpointMotion::configure(Configuration& configuration, const geometry::Ve
   surface_ = surface;
   from_.reset();
   now_s_ = 0;
-  const Parameters& given = configuration.parameters();
-  const bool free = given.given("eye_m");
-  auto source = free ? placed(given.json()) : named(given.text("viewpoint"));
+  given_ = configuration.parameters();
+  const bool free = given_.given("eye_m");
+  auto source = wanted(given_);
   if (source) {
     to_ = std::move(*source);
     now_ = to_.at(0);
@@ -114,13 +119,26 @@ bowl::Viewpoint ViewpointMotion::at(double time_s) {
 }
 
 nlohmann::json ViewpointMotion::go_to(const nlohmann::json& arguments) {
-  auto source =
-      arguments.contains("eye_m") ? placed(arguments) : named(arguments.value("viewpoint", std::string()));
+  const Parameters given = command_arguments(viewpoint_parameters(), arguments);
+  auto source = wanted(given);
   if (!source) throw std::invalid_argument(text_of(source.error()));
+  given_ = given;
+  start_change();
+  to_ = std::move(*source);
+  return {{"viewpoint", "within " + std::to_string(static_cast<int>(kChange_s)) + " s"}};
+}
+
+void ViewpointMotion::follow(const bowl::BowlSurface& surface) {
+  if (surface == surface_) return;
+  surface_ = surface;
+  auto again = wanted(given_);
+  start_change();
+  to_ = again ? std::move(*again) : Source{bowl::inside_bowl(now_, surface_), {}};
+}
+
+void ViewpointMotion::start_change() {
   from_ = now_;
   from_s_ = now_s_;
-  to_ = std::move(*source);
-  return {{"within_s", kChange_s}};
 }
 
 }  // namespace svchain

@@ -24,9 +24,11 @@ class ViewpointMotion {
   bowl::Viewpoint at(double time_s);
 
   /// The command "viewpoint": {"viewpoint": "left"} by name or file, or {"eye_m": [..], "target_m": [..],
-  /// "up":
-  /// [..], "field_of_view_deg": ..}. Throws std::invalid_argument for one that is no good.
+  /// "up": [..], "field_of_view_deg": ..}. Throws std::invalid_argument for one that is no good.
   nlohmann::json go_to(const nlohmann::json& arguments);
+
+  /// The bowl has changed: presets and paths follow it, and no eye stays in a wall.
+  void follow(const bowl::BowlSurface& surface);
 
  private:
   struct Source {
@@ -35,10 +37,13 @@ class ViewpointMotion {
     bowl::Viewpoint at(double time_s) const { return path ? path->at(time_s) : still; }
   };
   Result<Source> named(const std::string& name) const;
-  Result<Source> placed(const nlohmann::json& values) const;
+  Result<Source> placed(const Parameters& given) const;
+  Result<Source> wanted(const Parameters& given) const;
+  void start_change();
 
   geometry::Vehicle vehicle_;
   bowl::BowlSurface surface_;
+  Parameters given_;  // what is wanted, as it was said
   Source to_;
   std::optional<bowl::Viewpoint> from_;  // where a change began
   double from_s_ = 0, now_s_ = 0;

@@ -157,6 +157,35 @@ TEST_CASE("blending again after rendering again gives the same picture") {
   CHECK(changed(picture_of(car, viewpoint), first) == 0);
 }
 
+TEST_CASE("drawn in parts, in whatever order, the picture is the same") {
+  CarPicture car(default_car(kCar), kCar);
+  const Viewpoint viewpoint = look_at({6, 4, 3}, {0, 0, 0.5}, 300, {301, 263});
+  const cv::Mat whole = picture_of(car, viewpoint);
+  CHECK(changed(whole, grey(viewpoint)) > 10000);
+  for (const int parts : {2, 7, CarPicture::kMostParts}) {
+    car.begin(viewpoint);
+    for (int part = parts; part-- > 0;) car.draw(part, parts);
+    cv::Mat picture = grey(viewpoint);
+    car.blend_over(picture);
+    CHECK(changed(picture, whole) == 0);
+  }
+}
+
+TEST_CASE("once a viewpoint has been all around, going around again allocates nothing") {
+  CarPicture car(default_car(kCar), kCar);
+  const auto go_around = [&] {
+    for (int step = 0; step < 12; ++step) {
+      const double angle = 0.5236 * step;
+      car.begin(look_at({7 * std::cos(angle), 7 * std::sin(angle), 3}, {0, 0, 0.5}, 300, {300, 260}));
+      for (int part = 0; part < 3; ++part) car.draw(part, 3);
+    }
+  };
+  go_around();
+  const size_t before = allocation_count();
+  go_around();
+  CHECK(allocation_count() == before);
+}
+
 TEST_CASE("a car partly or wholly out of view, or around the eye, is drawn within the picture only") {
   CarPicture car(default_car(kCar), kCar);
   const Eigen::Vector2i size(120, 90);

@@ -103,11 +103,15 @@ TEST_CASE("from all around and above, what is seen of the default car faces the 
                                     : Eigen::Vector3d(7 * std::cos(angle), 7 * std::sin(angle), 2.5);
     const Viewpoint viewpoint = look_at(eye, {0, 0, 0.6}, 300, {300, 300});
     Rasteriser rasteriser;
-    rasteriser.draw(model, static_cast<uint32_t>(model.triangle_count()), viewpoint, 0.05, {0, 0, 300, 300});
+    rasteriser.project(model, viewpoint, 0.05);
+    rasteriser.sort(model, static_cast<uint32_t>(model.triangle_count()), {0, 0, 300, 300});
+    std::vector<SampleBand> bands(rasteriser.band_count());
+    for (int band = 0; band < rasteriser.band_count(); ++band) rasteriser.draw(model, band, bands[band]);
+    constexpr int kRows = Rasteriser::kBandRows * kSamplesPerSide;
     size_t facing = 0, all = 0;
     for (int j = 0; j < 600; ++j)
       for (int i = 0; i < 600; ++i) {
-        const uint32_t triangle = rasteriser.sample(i, j).opaque;
+        const uint32_t triangle = bands[j / kRows].sample(i, j % kRows).opaque;
         if (triangle == kNoTriangle) continue;
         const auto corner = [&](size_t k) {
           return model.vertices[model.indices[3 * triangle + k]].position;

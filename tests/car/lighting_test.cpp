@@ -1,6 +1,9 @@
 #include "algorithms/car/lighting.h"
 
+#include <random>
+
 #include "algorithms/car/contact_shadow.h"
+#include "algorithms/car/row_lighting.h"
 #include "tests/catch.h"
 
 using namespace svchain;
@@ -60,5 +63,44 @@ TEST_CASE("the contact shadow hides the ground under the car, fades around it an
   for (float y = 0; y < 1.5f; y += 0.01f) {
     CHECK(shadow.shadow_at({0.5f, y}) <= before);
     before = shadow.shadow_at({0.5f, y});
+  }
+}
+
+TEST_CASE("samples lit many at once have the light that the definition gives each of them") {
+  const std::vector<Material> materials = {{"paint", {0.03f, 0.1f, 0.24f}, 1, 0.92f, 0.45f},
+                                           {"matt", {0.5f, 0.4f, 0.3f}, 1, 0, 0},
+                                           {"glass", {0.01f, 0.02f, 0.03f}, 0.6f, 1, 0}};
+  const std::vector<Substance> substances(materials.begin(), materials.end());
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> within(-1, 1);
+  const auto vector = [&] { return Eigen::Vector3f(within(random), within(random), within(random)); };
+  const Eigen::Vector3f eye(4, 3, 2);
+  constexpr size_t kCount = 3 * kMostLanes;
+  std::vector<Facet> facets;
+  std::vector<int32_t> order;
+  std::vector<float> columns(kCount), rows(kCount), rgba(4 * kCount);
+  std::vector<Lit> expected;
+  const Rays rays = {eye, Eigen::Vector3f(-4, -3, -1.2f), {0.006f, -0.008f, 0}, {0, 0.001f, -0.01f}};
+  for (size_t k = 0; k < kCount; ++k) {
+    columns[k] = 10 * within(random);
+    rows[k] = 10 * within(random);
+    const Eigen::Vector3f ray = rays.first + columns[k] * rays.right + rows[k] * rays.down;
+    // A triangle around the point the ray meets.
+    const Eigen::Vector3f point = eye + ray, u = vector().normalized(), v = vector();
+    const Eigen::Vector3f normal = (2 * (eye - point).normalized() + vector()).normalized();
+    const Eigen::Vector3f plane_u = normal.cross(u), plane_v = normal.cross(plane_u);
+    const Vertex a = {point + 0.2f * plane_u, (normal + 0.1f * v).normalized()},
+                 b = {point - 0.1f * plane_u + 0.2f * plane_v, a.normal},
+                 c = {point - 0.1f * plane_u - 0.2f * plane_v, a.normal};
+    const size_t part = k % materials.size();
+    facets.push_back(facet_of({&a, &b, &c}, eye, static_cast<uint32_t>(part)));
+    order.push_back(static_cast<int32_t>(k));
+    expected.push_back(lit(bright_day(), materials[part], a.normal, -ray.normalized(), point.z() / 1.5f));
+  }
+  const Scenery scenery = {bright_day(), rays, 1.5f, facets.data(), substances.data()};
+  light_samples(scenery, order.data(), columns.data(), rows.data(), kCount, rgba.data());
+  for (size_t k = 0; k < kCount; ++k) {
+    for (int c = 0; c < 3; ++c) REQUIRE(rgba[4 * k + c] == Approx(expected[k].colour[c]).margin(2e-3));
+    REQUIRE(rgba[4 * k + 3] == Approx(expected[k].alpha).margin(1e-3));
   }
 }

@@ -53,18 +53,18 @@ Outcome recalibrated(const std::string& source, const std::string& answer,
                             "1000000000", "--set", "view.size_px=[220,270]", "--set",
                             "geometric_alignment.source=" + source, "--output", "none", "--report", report},
                            {{SIGUSR1, frames_went_by}, {SIGINT, [&](const std::string& said) {
-                                                         const auto answered = said.find(answer);
-                                                         if (answered == std::string::npos) return false;
-                                                         return frames_of(said) >
-                                                                frames_of(said.substr(0, answered)) + 20;
-                                                       }}});
+                                                          const auto answered = said.find(answer);
+                                                          if (answered == std::string::npos) return false;
+                                                          return frames_of(said) >
+                                                                 frames_of(said.substr(0, answered)) + 20;
+                                                        }}});
 }
 
 }  // namespace
 
 TEST_CASE("SIGUSR1 has the geometry aligned anew while frames go on") {
   const TemporaryFolder folder;
-  const auto outcome = recalibrated("charts", "geometric_alignment: recalibrates with the next complete set",
+  const auto outcome = recalibrated("charts", "geometric_alignment: recalibrate: with the next complete set",
                                     folder.path() / "report.json");
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
@@ -78,7 +78,7 @@ TEST_CASE("SIGUSR1 has the geometry aligned anew while frames go on") {
 TEST_CASE("SIGUSR1 where nothing aligns by frames says so, and the run goes on") {
   const TemporaryFolder folder;
   const auto outcome =
-      recalibrated("rig", "geometric_alignment: not recalibrated: source rig looks at no frames",
+      recalibrated("rig", "geometric_alignment: recalibrate refused: source rig looks at no frames",
                    folder.path() / "report.json");
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);

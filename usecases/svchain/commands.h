@@ -16,7 +16,8 @@ struct RunOptions {
   UseCaseRequest use_case;
   std::optional<std::string> frames, fps, seed;
   std::string clock = "steady";
-  std::optional<std::string> report;  // a file, or "-" for stdout
+  std::optional<std::string> report;   // a file, or "-" for stdout
+  std::optional<std::string> control;  // a file or pipe, or "-" for stdin
 };
 int run(const RunOptions& options);
 

@@ -50,24 +50,39 @@ void HostLoop::await_recalibration_signal() {
 
 /// Of every link that aligns the geometry.
 void HostLoop::recalibrate() {
-  for (const PlannedLink& link : chain_->plan().links) {
-    if (link.entry.type != "geometric_alignment") continue;
+  for (const PlannedLink& link : chain_->plan().links)
+    if (link.entry.type == "geometric_alignment") ask({link.entry.name, "recalibrate"});
+}
+
+void HostLoop::take_commands(const std::string& path) {
+  lines_.emplace(io_, path, [this](const std::string& line) {
     try {
-      questions_.push_back({link.entry.name, chain_->control(link.entry.name, "recalibrate", {})});
-    } catch (const std::exception& error) {  // the chain is ending
-      spdlog::warn("{}: not recalibrated: {}", link.entry.name, error.what());
+      if (chain_) ask(parse_control_line(line));
+    } catch (const std::exception& error) {
+      spdlog::warn("--control: {}", error.what());
     }
+  });
+}
+
+void HostLoop::ask(const ControlLine& line) {
+  try {
+    questions_.push_back({line, chain_->control(line.link, line.command, line.arguments)});
+  } catch (const std::exception& error) {  // the chain is ending
+    spdlog::warn("{}: {} came too late: {}", line.link, line.command, error.what());
   }
 }
 
 void HostLoop::log_answers() {
   std::erase_if(questions_, [](Question& question) {
     if (question.answer.wait_for(0s) != std::future_status::ready) return false;
+    const ControlLine& line = question.line;
     try {
       const nlohmann::json answer = question.answer.get();
-      spdlog::info("{}: recalibrates {}", question.link, answer.value("recalibrate", answer.dump()));
+      const auto said = answer.find(line.command);
+      spdlog::info("{}: {}: {}", line.link, line.command,
+                   said != answer.end() && said->is_string() ? said->get<std::string>() : answer.dump());
     } catch (const std::exception& error) {
-      spdlog::warn("{}: not recalibrated: {}", question.link, error.what());
+      spdlog::warn("{}: {} refused: {}", line.link, line.command, error.what());
     }
     return true;
   });

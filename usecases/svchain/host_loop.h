@@ -11,10 +11,12 @@
 #include <chrono>
 #include <future>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "framework/chain/chain.h"
+#include "usecases/svchain/control_lines.h"
 
 namespace svchain::program {
 
@@ -28,19 +30,23 @@ class HostLoop {
   /// `lossless`: a source that stays silent is a fault, and not just a camera that takes its time.
   void attend(Chain& chain, bool watched, bool lossless);
   void finish();
+  /// From here on lines of that file, pipe or stdin ("-") are commands to links (control_lines.h), and what
+  /// comes of them is logged. Before attend(). Throws std::runtime_error where it cannot be opened.
+  void take_commands(const std::string& path);
   /// A signal has asked for the end, be it since the last chain. Not while attending.
   bool interrupted();
 
  private:
   /// A command on its way to a link.
   struct Question {
-    std::string link;
+    ControlLine line;
     std::future<nlohmann::json> answer;
   };
 
   void await_end_signal();
   void await_recalibration_signal();
   void recalibrate();
+  void ask(const ControlLine& line);
   void log_answers();
   void tick();
   void watch();
@@ -53,6 +59,7 @@ class HostLoop {
   bool watched_ = false, lossless_ = false;
   bool ending_ = false;
   std::vector<Question> questions_;
+  std::optional<ControlLines> lines_;
   bool progress_ = false;
 
   std::chrono::steady_clock::time_point started_at_;

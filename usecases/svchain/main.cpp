@@ -45,6 +45,11 @@ void add_run_options(CLI::App& app, RunOptions& run) {
       ->allow_extra_args(false);
   app.add_option("--report", run.report, "what every link, core, edge and pool did, as JSON; - is stdout")
       ->type_name("FILE");
+  app.add_option(
+         "--control", run.control,
+         "commands to links while running, a line each: LINK COMMAND [JSON]; a file, a named pipe, or "
+         "- for stdin")
+      ->type_name("FILE");
   app.add_option("--clock", run.clock, "steady, or virtual: modelled time, one thread, every run the same")
       ->type_name("CLOCK");
   app.add_option("--seed", run.seed, "with the virtual clock: picks the order in which the cores take turns")

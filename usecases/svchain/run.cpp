@@ -21,6 +21,15 @@ Faults report_faults(const std::optional<std::string>& path) {
   return path && *path != kToStdout ? check_writable(*path, "--report") : Faults{};
 }
 
+Faults control_faults(HostLoop& host, const std::string& path) {
+  try {
+    host.take_commands(path);
+    return {};
+  } catch (const std::runtime_error& error) {
+    return {{"--control", {}, {}, error.what()}};
+  }
+}
+
 void deliver(const Json& report, const std::string& path) {
   const std::string text = report.dump(2) + "\n";
   if (path == kToStdout) {
@@ -68,6 +77,7 @@ int run(const RunOptions& options) {
   if (options.report) ask_for_sums(planned->plan);
 
   HostLoop host;
+  if (options.control) append(faults, control_faults(host, *options.control));
   ChainOptions chain_options;
   chain_options.pace = pace;
   chain_options.execution = pace.virtual_clock ? Execution::kByHand : Execution::kThreads;
