@@ -9,6 +9,7 @@ packages="
   libopencv-calib3d-dev libopencv-contrib-dev
   libeigen3-dev libhwy-dev libboost-dev libspdlog-dev libexpected-dev nlohmann-json3-dev libcli11-dev libssl-dev libyaml-cpp-dev
   libtinyobjloader-dev libtinygltf-dev
+  pkg-config libepoxy-dev libegl-dev libgles-dev libegl1 libgles2 libegl-mesa0 libgl1-mesa-dri
   catch2 libbenchmark-dev
 "
 

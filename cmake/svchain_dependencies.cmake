@@ -15,3 +15,5 @@ endif()
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(tinyobjloader REQUIRED)
 find_package(TinyGLTF REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)  # OpenGL ES and EGL: libepoxy-dev

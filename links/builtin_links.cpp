@@ -2,6 +2,7 @@
 
 #include "links/bowl/bowl_settings.h"
 #include "links/bowl/bowl_view.h"
+#include "links/bowl/bowl_view_gl.h"
 #include "links/bowl/mesh_table.h"
 #include "links/capture/capture.h"
 #include "links/display/display.h"
@@ -9,6 +10,7 @@
 #include "links/gate.h"
 #include "links/geometric_alignment/geometric_alignment.h"
 #include "links/merge.h"
+#include "links/mosaic.h"
 #include "links/null.h"
 #include "links/null_source.h"
 #include "links/overlap_sampling.h"
@@ -46,6 +48,7 @@ SettingDescription view_setting() {
 
 void add_builtin_links(Catalogue& catalogue) {
   catalogue.add(make_bowl_view);
+  catalogue.add(make_bowl_view_gl);
   catalogue.add(make_capture);
   catalogue.add(make_display);
   catalogue.add(make_dup);
@@ -53,6 +56,7 @@ void add_builtin_links(Catalogue& catalogue) {
   catalogue.add(make_geometric_alignment);
   catalogue.add(make_merge);
   catalogue.add(make_mesh_table);
+  catalogue.add(make_mosaic);
   catalogue.add(make_null);
   catalogue.add(make_null_source);
   catalogue.add(make_overlap_sampling);

@@ -86,4 +86,14 @@ void MeshTable::check_batches() const {
   require(next_vertex == h.vertex_count && next_index == h.index_count, "vertices or triangles of no batch");
 }
 
+BowlSurface MeshTable::surface() const {
+  const MeshHeader& h = header();
+  return {static_cast<FloorShape>(h.floor_shape),
+          h.floor_length_m,
+          h.floor_width_m,
+          h.rise_m,
+          h.height_m,
+          h.exponent};
+}
+
 }  // namespace svchain::bowl

@@ -101,6 +101,8 @@ class MeshTable {
   }
   uint32_t triangle_count() const { return header().index_count / 3; }
 
+  /// The bowl it was made of.
+  BowlSurface surface() const;
   /// Vehicle frame, metres.
   Eigen::Vector3d position(const MeshVertex& vertex) const {
     return header().metres_per_unit *

@@ -1,15 +1,12 @@
 #include "links/bowl/bowl_view.h"
 
-#include <array>
-#include <cstring>
 #include <optional>
 #include <stdexcept>
 
-#include "algorithms/bowl/viewpoint_lut.h"
-#include "algorithms/car/car_picture.h"
-#include "algorithms/synthesis/synthesize.h"
 #include "framework/link/call.h"
+#include "links/bowl/bowl_painter.h"
 #include "links/bowl/bowl_settings.h"
+#include "links/bowl/view_inputs.h"
 #include "links/bowl/viewpoint_settings.h"
 #include "links/image.h"
 #include "links/picture_parameters.h"
@@ -20,21 +17,8 @@ namespace svchain {
 
 namespace {
 
-constexpr int kFrames = 0, kRig = 1, kToneMapping = 2;
+constexpr int kFrames = 0, kToneMapping = 1, kRig = 2;
 constexpr int kView = 0;
-constexpr size_t kCameraCount = 4;
-constexpr int kPartsPerCpu = 4;  // they differ in cost
-
-car::Viewpoint pinhole_of(const bowl::Viewpoint& viewpoint, const Eigen::Vector2i& size_px) {
-  const bowl::Perspective perspective(viewpoint, size_px);
-  car::Viewpoint pinhole;
-  pinhole.camera_from_vehicle = perspective.vehicle_from_picture().transpose();
-  pinhole.eye = perspective.eye();
-  pinhole.focal_px = perspective.focal_px();
-  pinhole.centre_px = (size_px.cast<double>().array() - 1) / 2;
-  pinhole.size_px = size_px;
-  return pinhole;
-}
 
 class BowlView final : public Link {
  public:
@@ -42,20 +26,12 @@ class BowlView final : public Link {
     LinkDescription d;
     d.type = "bowl_view";
     d.help = "shows the world around the vehicle as a bowl, from any viewpoint, the car in its middle";
-    d.inputs = {{.name = "frames",
-                 .types = {"bgr8", "nv12", "yuyv"},
-                 .count = kCameraCount,
-                 .help = "sets of four, front right rear left"},
-                {.name = "rig",
-                 .types = {"rig"},
-                 .count = 1,
-                 .intake = Intake::kState,
-                 .help = "the calibrated cameras, in force until the next"},
-                {.name = "tone_mapping",
-                 .types = {"tone_mapping"},
-                 .count = 1,
-                 .optional = true,
-                 .help = "applied to the next frame; the identity before the first"}};
+    d.inputs = view_inputs();
+    d.inputs.push_back({.name = "rig",
+                        .types = {"rig"},
+                        .count = 1,
+                        .intake = Intake::kState,
+                        .help = "the calibrated cameras, in force until the next"});
     d.outputs = {{.name = "view", .types = {"bgr8"}, .count = 1, .help = "the picture"}};
     d.parameters = viewpoint_parameters();
     return d;
@@ -63,30 +39,23 @@ class BowlView final : public Link {
 
   void configure(Configuration& configuration) override {
     check_colours(configuration, kFrames);
-    size_px_ = view_size_px(configuration);
-    configuration.output(kView, {Format::bgr8(size_px_.x(), size_px_.y())});
+    const Eigen::Vector2i size_px = view_size_px(configuration);
+    configuration.output(kView, {Format::bgr8(size_px.x(), size_px.y())});
+    painter_.emplace(size_px);
     read_settings(configuration);
-    lut_memory_.resize(bowl::ViewpointLut::capacity(size_px_));
-    lut_.reset();
-    maker_.reset();
     rig_at_ = nullptr;
-    first_ns_.reset();
-    tone_mapping_ = synthesis::ToneMapping::identity();
-    luts_ = frames_ = 0;
+    inputs_ = {};
+    frames_ = 0;
   }
 
   void check(Configuration& configuration) override { read_settings(configuration); }
 
   void process(Call& call) override {
-    if (const Frame& curves = call.input(kToneMapping))
-      std::memcpy(&tone_mapping_, curves.bytes().data(), sizeof(tone_mapping_));
-    const Frame& set = call.input(kFrames);
     follow_rig(call.input(kRig));
-    look_from(motion_.at(time_s(set)), call);
+    const double time_s = inputs_.take(call, kFrames, kToneMapping);
     Draft view = call.create(kView);
     cv::Mat picture = bgr_picture(view);
-    show(set, picture, call);
-    if (car_) car_->blend_over(picture);
+    painter_->paint(inputs_.frames, inputs_.tone_mapping, motion_.at(time_s), picture, call);
     call.send(kView, std::move(view));
     ++frames_;
   }
@@ -98,8 +67,11 @@ class BowlView final : public Link {
   }
 
   void report(nlohmann::json& report) const override {
-    report["bowl_view"] = {{"renderer", "cpu"}, {"frames", frames_}, {"luts", luts_}};
-    if (lut_) report["bowl_view"]["lut_bytes"] = lut_->header().bytes;
+    if (!painter_) return;
+    report["bowl_view"] = {{"renderer", "cpu"},
+                           {"frames", frames_},
+                           {"luts", painter_->luts()},
+                           {"lut_bytes", painter_->lut_bytes()}};
   }
 
  private:
@@ -110,10 +82,8 @@ class BowlView final : public Link {
     surface_ = surface_in_use(configuration, vehicle_);
     shape_ = bowl_blend_in_use(configuration);
     motion_.configure(configuration, vehicle_, surface_);
-    car_opacity_ = car_opacity_in_use(configuration);
     auto model = car_in_use(configuration, vehicle_);
-    car_.reset();
-    if (model) car_.emplace(std::move(*model), vehicle_);
+    if (model && painter_) painter_->set_car(std::move(*model), vehicle_, car_opacity_in_use(configuration));
   }
 
   nlohmann::json change_surface(const nlohmann::json& arguments) {
@@ -123,58 +93,20 @@ class BowlView final : public Link {
     return {{"bowl", "with the next frame"}};
   }
 
-  double time_s(const Frame& set) {
-    if (!first_ns_) first_ns_ = set.timestamp_ns();
-    return static_cast<double>(set.timestamp_ns() - *first_ns_) * 1e-9;
-  }
-
   void follow_rig(const Frame& frame) {
     if (rig_at_ == frame.bytes().data()) return;
-    maker_.emplace(read_rig_table(frame.bytes()), surface_, shape_);
+    painter_->set_world(read_rig_table(frame.bytes()), surface_, shape_);
     rig_at_ = frame.bytes().data();
-    lut_.reset();
   }
 
-  /// A viewpoint that stays has its LUT and its picture of the car already.
-  void look_from(const bowl::Viewpoint& viewpoint, Call& call) {
-    if (lut_ && viewpoint == shown_) return;
-    const int parts = std::min(call.cpus() * kPartsPerCpu, bowl::ViewpointLut::kMostParts);
-    maker_->begin(viewpoint, size_px_, lut_memory_);
-    if (car_) car_->begin(pinhole_of(viewpoint, size_px_), car_opacity_);
-    call.parallel(parts, [&](int i) { maker_->make_nodes(i, parts); });
-    call.parallel(parts, [&](int i) { maker_->write_blocks(i, parts); });
-    lut_.emplace(std::span(lut_memory_).first(maker_->finish(parts)));
-    if (car_) call.parallel(parts, [&](int i) { car_->draw(i, parts); });
-    shown_ = viewpoint;
-    ++luts_;
-  }
-
-  void show(const Frame& set, cv::Mat& picture, Call& call) const {
-    std::array<colour::Picture, kCameraCount> frames;
-    for (size_t c = 0; c < kCameraCount; ++c) frames[c] = any_picture(set, static_cast<int>(c));
-    const colour::Picture target = colour::bgr_picture(picture);
-    const int parts = call.cpus() > 1 ? call.cpus() * kPartsPerCpu : 1;
-    call.parallel(parts, [&](int i) {
-      synthesis::synthesize_part({i, parts}, *lut_, frames, tone_mapping_, target, nullptr, kernel_);
-    });
-  }
-
-  const synthesis::Kernel kernel_ = synthesis::best_kernel();
-  Eigen::Vector2i size_px_ = {0, 0};
   geometry::Vehicle vehicle_;
   bowl::BowlSurface surface_;
   synthesis::BlendShape shape_;
   ViewpointMotion motion_;
-  std::optional<car::CarPicture> car_;
-  float car_opacity_ = 1;
-  std::optional<bowl::ViewpointLut> maker_;  // for the rig in force
+  std::optional<BowlPainter> painter_;
   const std::byte* rig_at_ = nullptr;
-  std::vector<std::byte> lut_memory_;
-  std::optional<synthesis::GeometricLut> lut_;  // of the viewpoint shown
-  bowl::Viewpoint shown_;
-  std::optional<int64_t> first_ns_;
-  synthesis::ToneMapping tone_mapping_;
-  uint64_t luts_ = 0, frames_ = 0;
+  ViewInputs inputs_;
+  uint64_t frames_ = 0;
 };
 
 }  // namespace

@@ -26,7 +26,10 @@ class MeshTableLink final : public Link {
     d.inputs = {
         {.name = "frames", .help = "any; with each of them is seen whether something has changed"},
         {.name = "rig", .types = {"rig"}, .count = 1, .intake = Intake::kState, .help = "the cameras"}};
-    d.outputs = {{.name = "mesh", .types = {"mesh_table"}, .count = 1, .help = "triangles of the bowl"}};
+    d.outputs = {{.name = "mesh",
+                  .types = {"mesh_table", "rig"},
+                  .count = 2,
+                  .help = "triangles of the bowl, and the cameras they were made for"}};
     d.parameters = {
         number("tolerance_px", bowl::kDefaultTolerancePx, {0.05, 50}, "px",
                "how far texture may be off within a triangle, in a camera's image"),
@@ -36,7 +39,6 @@ class MeshTableLink final : public Link {
 
   void configure(Configuration& configuration) override {
     read_settings(configuration);
-    configuration.output(kMesh, {Format::table("mesh_table", bowl::mesh_table_capacity())});
     tolerance_px_ = configuration.parameters().number("tolerance_px");
     store_ = configuration.parameters().text("store");
     rig_at_ = nullptr;
@@ -46,12 +48,14 @@ class MeshTableLink final : public Link {
   void check(Configuration& configuration) override { read_settings(configuration); }
 
   void process(Call& call) override {
-    const Frame& rig = call.input(kRig);
-    if (rig.bytes().data() == rig_at_) return;
+    const Frame& input = call.input(kRig);
+    if (input.bytes().data() == rig_at_) return;
+    const geometry::Rig rig = read_rig_table(input.bytes());
     Draft mesh = call.create(kMesh);
-    make(read_rig_table(rig.bytes()), mesh.bytes());
+    make(rig, mesh.bytes(0));
+    write_rig(rig, mesh.bytes(1));
     call.send(kMesh, std::move(mesh));
-    rig_at_ = rig.bytes().data();
+    rig_at_ = input.bytes().data();
   }
 
   nlohmann::json control(const std::string& command, const nlohmann::json& arguments) override {
@@ -78,6 +82,7 @@ class MeshTableLink final : public Link {
     const auto rig = nominal_rig_in_use(configuration);
     if (!rig) return configuration.faults(rig.error());
     vehicle_ = rig->vehicle;
+    configuration.output(kMesh, {Format::table("mesh_table", bowl::mesh_table_capacity()), rig_format(*rig)});
     surface_ = surface_in_use(configuration, vehicle_);
     shape_ = bowl_blend_in_use(configuration);
   }
