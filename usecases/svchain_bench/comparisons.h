@@ -16,5 +16,7 @@ void compare_hops(Results& results, const Progress& progress);
 /// Synthesis beside OpenCV, and the whole use case beside the kernels that it is made of.
 void compare_synthesis(Results& results, const Progress& progress);
 void compare_use_case(Results& results, const Progress& progress);
+/// The 3D view, by graphics and without.
+void compare_bowl(Results& results, const Progress& progress);
 
 }  // namespace svchain::bench

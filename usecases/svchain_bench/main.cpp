@@ -32,7 +32,7 @@ void say(const std::string& what) {
 Results compare_all() {
   Results results;
   double least_cpus = cpus_for_two_threads();
-  for (const auto compare : {compare_use_case, compare_synthesis, compare_hops}) {
+  for (const auto compare : {compare_use_case, compare_synthesis, compare_bowl, compare_hops}) {
     compare(results, say);
     least_cpus = std::min(least_cpus, cpus_for_two_threads());
   }

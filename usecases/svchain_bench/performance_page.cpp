@@ -85,7 +85,10 @@ Section figures(const Results& results) {
       "Figures",
       "From capture to display: the 99th percentile at 30 frames/s, ms. On one core: what one link more "
       "costs a frame, ns. Cost per pixel: the largest over the smallest as the composite grows, all pixels "
-      "counted. The last line is about the machine: how many CPUs two busy threads got, the "
+      "counted. The bowl: frames/s of `3dsv` (on an orbit, standing, with NV12) and of `3dsv_cpu` on two "
+      "CPUs on an orbit, the car included; a standing viewpoint's frame over the 2D view's, one thread "
+      "each; and what a viewpoint's LUT, the car's picture and a mesh table take on one thread. The last "
+      "line is about the machine: how many CPUs two busy threads got, the "
       "least of several looks between the comparisons. Well below 2 it did other things meanwhile, and "
       "what is said of two threads means little.\n",
       {figure_table(results)}};

@@ -43,9 +43,14 @@ const std::vector<Subject>& known_figures() {
       {"chain.capture_to_display_p99_ms", "", Goal{kAtMost, 10}},
       {"hop.same_core_ns", "", Goal{kAtMost, 100}},
       {"synthesis.pixel_cost_spread", "", kPixelCostGoal},
-      {"bowl.gpu_fps", "", {}},
-      {"bowl.cpu_moving_fps", "", {}},
-      {"bowl.cpu_static_over_2d", "", {}},
+      {"bowl.gpu_fps", "", Goal{kAtLeast, 30}},
+      {"bowl.gpu_standing_fps", "", {}},
+      {"bowl.gpu_nv12_fps", "", {}},
+      {"bowl.cpu_moving_fps", "", Goal{kAtLeast, 30}},
+      {"bowl.cpu_static_over_2d", "", Goal{kAtMost, 1.3}},
+      {"bowl.viewpoint_lut_ms", "", {}},
+      {"bowl.car_ms", "", {}},
+      {"bowl.mesh_table_ms", "", {}},
       {"machine.cpus_for_two_threads", "", {}},
   };
   return kKnown;

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <opencv2/core/mat.hpp>
+#include <string>
 #include <vector>
 
 #include "algorithms/geometry/rig.h"
@@ -63,9 +64,14 @@ class Kernels {
   cv::Mat composite_;
 };
 
-/// `svchain --usecase 2dsv_2dsp --output none`: milliseconds per frame, from the frame by which all is in its
+struct UseCase {
+  std::string name = "2dsv_2dsp";
+  std::vector<std::string> sets = {};  // as for `--set`
+};
+
+/// `svchain --usecase NAME --output none`: milliseconds per frame, from the frame by which all is in its
 /// stride to the last of this many.
-double use_case_frame_ms(const ParkedCar& car, int frames);
+double use_case_frame_ms(const ParkedCar& car, int frames, const UseCase& use_case = {});
 /// The same with `--fps`: the 99th percentile of the time from capture to display, ms, start left out.
 double use_case_latency_p99_ms(const ParkedCar& car, double fps, int frames);
 

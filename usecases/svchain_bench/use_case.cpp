@@ -32,19 +32,20 @@ class Noted final : public WrappedLink {
   Run& run_;
 };
 
-Plan plan_of(const ParkedCar& car, const Catalogue& catalogue) {
-  const std::vector<Override> overrides = {
+Plan plan_of(const UseCase& wanted, const ParkedCar& car, const Catalogue& catalogue) {
+  std::vector<Override> overrides = {
       {"input=" + car.folder().string()}, {"rig=" + car.rig_file().string()}, {"output=none"}};
-  auto use_case =
-      value_or_throw(read_use_case(share_folder() / "usecases" / "2dsv_2dsp.json", catalogue, overrides));
+  for (const std::string& set : wanted.sets) overrides.push_back({set});
+  auto use_case = value_or_throw(
+      read_use_case(share_folder() / "usecases" / (wanted.name + ".json"), catalogue, overrides));
   auto soc = value_or_throw(read_soc(configs_folder() / "socs" / (use_case.soc + ".json")));
   return value_or_throw(make_plan(std::move(use_case), std::move(soc), catalogue));
 }
 
-Run run(const ParkedCar& car, const Pace& pace) {
+Run run(const UseCase& use_case, const ParkedCar& car, const Pace& pace) {
   Catalogue catalogue;
   add_builtin_links(catalogue);
-  Plan plan = plan_of(car, catalogue);
+  Plan plan = plan_of(use_case, car, catalogue);
   Run run;
   run.displayed_ns.reserve(*pace.frames);
   run.latency_ms.reserve(*pace.frames);
@@ -57,11 +58,11 @@ Run run(const ParkedCar& car, const Pace& pace) {
 
 }  // namespace
 
-double use_case_frame_ms(const ParkedCar& car, int frames) {
+double use_case_frame_ms(const ParkedCar& car, int frames, const UseCase& use_case) {
   constexpr int kUntilInStride = 5;
   Pace pace;
   pace.frames = static_cast<uint64_t>(frames + kUntilInStride);
-  const std::vector<int64_t> displayed_ns = run(car, pace).displayed_ns;
+  const std::vector<int64_t> displayed_ns = run(use_case, car, pace).displayed_ns;
   return static_cast<double>(displayed_ns.back() - displayed_ns[kUntilInStride - 1]) * 1e-6 / frames;
 }
 
@@ -71,7 +72,7 @@ double use_case_latency_p99_ms(const ParkedCar& car, double fps, int frames) {
   pace.real_time = true;
   pace.fps = fps;
   pace.frames = static_cast<uint64_t>(frames + kUntilInStride);
-  const std::vector<double> latency_ms = run(car, pace).latency_ms;
+  const std::vector<double> latency_ms = run({}, car, pace).latency_ms;
   if (latency_ms.size() <= kUntilInStride) throw std::runtime_error("hardly a frame was displayed in time");
   return quantile({latency_ms.begin() + kUntilInStride, latency_ms.end()}, 0.99);
 }
