@@ -74,8 +74,7 @@ Result<ViewpointPath> parse_path(const std::string& text, const std::string& fil
   if (!document) return tl::unexpected(std::move(document.error()));
   Faults faults;
   const Value root(*document, faults);
-  root.only({"schema", "loop", "key_frames"});
-  root.required("schema").choice({"path"});
+  root.only({"loop", "key_frames"});
   const bool loop = root.optional("loop").boolean();
   const Value list = root.required("key_frames");
   const std::vector<KeyFrame> frames = Reader{vehicle, surface}.key_frames(list);

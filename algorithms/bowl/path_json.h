@@ -1,6 +1,6 @@
 #pragma once
 // Viewpoint paths as files:
-//   {"schema": "path", "loop": false, "key_frames": [
+//   {"loop": false, "key_frames": [
 //     {"time_s": 0, "preset": "chase"},
 //     {"time_s": 2.5, "eye_m": [-3, 4, 2], "target_m": [0, 0, 0], "up": [0, 0, 1], "field_of_view_deg": 60}]}
 // "up" is upwards and "field_of_view_deg" 60 where they are left out, "loop" false. Any thread.

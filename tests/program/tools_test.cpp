@@ -74,7 +74,7 @@ TEST_CASE("a graph is drawn as dot, as SVG and as JSON, with the IPC pairs") {
 }
 
 TEST_CASE("schemas are printed for every file format") {
-  for (const char* kind : {"usecase", "rig", "charts", "corners", "calibration", "soc", "scene", "report"}) {
+  for (const char* kind : {"usecase", "rig", "charts", "corners", "calibration", "soc", "scene", "path", "report"}) {
     INFO(kind);
     const auto outcome = svchain_program({"schema", kind});
     CHECK(outcome.status == 0);

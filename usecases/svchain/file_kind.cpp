@@ -5,7 +5,7 @@
 namespace svchain::program {
 
 const char* name_of(FileKind kind) {
-  constexpr const char* kNames[] = {"use case", "rig", "SoC", "scene", "charts"};
+  constexpr const char* kNames[] = {"use case", "rig", "SoC", "scene", "charts", "path"};
   return kNames[static_cast<int>(kind)];
 }
 
@@ -16,9 +16,10 @@ Result<FileKind> kind_of(const json::Document& document) {
   if (root.contains("rig") || root.contains("ground")) return FileKind::kScene;
   if (root.contains("cameras") || root.contains("vehicle")) return FileKind::kRig;
   if (root.contains("charts")) return FileKind::kCharts;  // last: scenes have some too
+  if (root.contains("key_frames")) return FileKind::kPath;
   return fail(document.file(),
               "what is it? expected a use case (with \"links\"), a rig (\"cameras\"), a SoC (\"cores\"), "
-              "a scene (\"ground\") or charts (\"charts\")");
+              "a scene (\"ground\"), charts (\"charts\") or a path (\"key_frames\")");
 }
 
 }  // namespace svchain::program

@@ -14,7 +14,7 @@ namespace svchain::program {
 
 int schema(const std::string& kind) {
   static const std::vector<std::string> kKinds = {"usecase",    "rig", "charts", "corners", "calibration",
-                                                  "comparison", "soc", "scene",  "report"};
+                                                  "comparison", "soc", "scene",  "path",    "report"};
   if (std::find(kKinds.begin(), kKinds.end(), kind) == kKinds.end()) {
     return say({{"schema",
                  {},

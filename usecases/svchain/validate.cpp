@@ -1,5 +1,6 @@
 #include <iostream>
 
+#include "algorithms/bowl/path_json.h"
 #include "algorithms/calibration/charts.h"
 #include "algorithms/geometry/rig.h"
 #include "algorithms/scene/scene_file.h"
@@ -13,6 +14,8 @@ namespace svchain::program {
 namespace {
 
 namespace fs = std::filesystem;
+
+const geometry::Vehicle kUsualCar{4.8, 1.9};  // of which a path file does not tell
 
 Faults check(const fs::path& file, FileKind kind) {
   switch (kind) {
@@ -30,6 +33,8 @@ Faults check(const fs::path& file, FileKind kind) {
       return faults_of(scene::read_scene(file));
     case FileKind::kCharts:
       return faults_of(calibration::read_charts(file));
+    case FileKind::kPath:
+      return faults_of(bowl::read_path(file, kUsualCar, bowl::default_surface(kUsualCar)));
   }
   return {};
 }
