@@ -101,6 +101,7 @@ void HostLoop::attend(Chain& chain, bool watched, bool lossless) {
   tick();
   io_.run();
   timer_.cancel();
+  ++chains_;
   log_answers();
   questions_.clear();  // who has not been asked by now never will be
   chain_ = nullptr;
@@ -120,8 +121,9 @@ void HostLoop::tick() {
   if (watched_) watch();
   if (progress_) show_progress();
   timer_.expires_after(kTick);
-  timer_.async_wait([this](const boost::system::error_code& error) {
-    if (!error) tick();
+  // One that had expired already when it was cancelled comes all the same, when its chain is gone.
+  timer_.async_wait([this, chain = chains_](const boost::system::error_code& error) {
+    if (!error && chain == chains_) tick();
   });
 }
 

@@ -56,6 +56,7 @@ class HostLoop {
   boost::asio::signal_set end_signals_, recalibration_signal_;
   boost::asio::steady_timer timer_;
   Chain* chain_ = nullptr;
+  int chains_ = 0;  // attended to their ends
   bool watched_ = false, lossless_ = false;
   bool ending_ = false;
   std::vector<Question> questions_;
