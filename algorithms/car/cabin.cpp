@@ -104,7 +104,7 @@ void add_skin(SurfaceCollector& surfaces) {
   surfaces.add_both_sides(
       grid, [&](int column, int row) { return substance(all[column].panel, row); }, 50);
   // What the cabin stands on, seen through the windows.
-  constexpr int kRows = 6;
+  constexpr int kRows = 3;
   surfaces.add_both_sides(make_grid(static_cast<int>(all.size()), kRows,
                                     [&](int column, int row) -> Eigen::Vector3f {
                                       const float share = static_cast<float>(row) / (kRows - 1);

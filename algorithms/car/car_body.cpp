@@ -8,7 +8,7 @@ namespace svchain::car {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr int kUnderRows = 4, kSideRows = 13, kShoulderRows = 3, kDeckRows = 6;
+constexpr int kUnderRows = 4, kSideRows = 10, kShoulderRows = 3, kDeckRows = 5;
 constexpr float kWellDepth = 0.30f;  // of the wheel wells
 
 /// Angles around the body, close together where it turns and at the wheel arches.

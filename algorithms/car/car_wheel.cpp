@@ -8,7 +8,7 @@ namespace svchain::car {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr int kAround = 32;
+constexpr int kAround = 24;
 constexpr int kSpokes = 5;
 constexpr float kOuterFace = 0.918f;  // y of the left wheels' outermost points
 

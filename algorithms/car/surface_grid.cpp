@@ -45,7 +45,7 @@ void SurfaceCollector::add_both_sides(const SurfaceGrid& grid, const CellMateria
 }
 
 SurfaceGrid rounded_box(const Eigen::Vector3f& centre, const Eigen::Vector3f& half, float sharpness) {
-  constexpr int kAround = 16, kUp = 8;
+  constexpr int kAround = 12, kUp = 6;
   constexpr float kPi = std::numbers::pi_v<float>;
   const auto bulge = [&](float v) {
     return std::abs(v) < 1e-6f ? 0.0f : std::copysign(std::pow(std::abs(v), 2 / sharpness), v);
