@@ -123,6 +123,20 @@ Edge::End end_of(const Plan& plan, Chain::Runtime& r, int link) {
           r.holders[l].get()};
 }
 
+/// A recorder for every core, all of one size.
+void build_recorders(const Plan& plan, size_t events, Chain::Runtime& r) {
+  if (events == 0) return;
+  for (size_t core = 0; core < r.cores.size(); ++core)
+    r.recorders.push_back(std::make_unique<Recorder>(std::max<size_t>(1, events / r.cores.size())));
+  for (size_t l = 0; l < plan.links.size(); ++l)
+    r.runners[l]->set_recorder(static_cast<int>(l), *r.recorders[static_cast<size_t>(plan.links[l].core)]);
+  for (size_t e = 0; e < r.edges.size(); ++e) {
+    Edge& edge = *r.edges[e];
+    edge.set_recorders(static_cast<int>(e), *r.recorders[static_cast<size_t>(edge.producer().core)],
+                       *r.recorders[static_cast<size_t>(edge.consumer().core)]);
+  }
+}
+
 }  // namespace
 
 size_t buffers_needed(const Plan& plan, const std::vector<LinkSetup>& setups, int link, int port) {
@@ -180,6 +194,7 @@ std::unique_ptr<Chain::Runtime> build_runtime(Plan& plan, const std::vector<Link
     const auto l = static_cast<size_t>(*it);
     r.cores[static_cast<size_t>(plan.links[l].core)]->add(*r.runners[l]);
   }
+  build_recorders(plan, options.trace_events, r);
   return runtime;
 }
 

@@ -22,6 +22,7 @@
 #include "framework/chain/core.h"
 #include "framework/chain/lifecycle.h"
 #include "framework/chain/runner.h"
+#include "framework/trace/traced_run.h"
 #include "framework/usecase/plan.h"
 
 namespace svchain {
@@ -32,6 +33,7 @@ struct ChainOptions {
   Pace pace;
   Execution execution = Execution::kThreads;
   std::chrono::milliseconds drain_deadline{10'000};
+  size_t trace_events = 0;  // to record, on all cores together (kUsualTraceEvents); 0: no trace
   /// Called once, on some core's thread, when every link has ended.
   std::function<void()> on_finished;
 };
@@ -100,6 +102,8 @@ class Chain {
   std::vector<OutstandingBuffers> outstanding() const;
   /// The report of contracts.md; complete after stop().
   nlohmann::json report() const;
+  /// What was recorded; complete after stop().
+  TracedRun traced() const;
 
   struct Runtime;
 

@@ -44,6 +44,12 @@ Edge::Edge(std::string name, int depth, Policy policy, const End& producer, cons
   }
 }
 
+void Edge::set_recorders(int number, Recorder& producer, Recorder& consumer) {
+  number_ = number;
+  producer_recorder_ = &producer;
+  consumer_recorder_ = &consumer;
+}
+
 /// What the producer knows to lie there, what it has not published yet among it.
 size_t Edge::queued() {
   switch (way_) {
@@ -75,9 +81,13 @@ void Edge::send(const ipc::Message& message) {
   if (policy_ == Policy::kDropNewest && queued() >= static_cast<size_t>(depth_)) {
     return drop(message, "queue_full");
   }
-  if (policy_ == Policy::kDropOldest) evict_to(static_cast<size_t>(depth_) - 1, "overwritten");
-  if (policy_ == Policy::kLatest) evict_to(0, "overwritten");
-  push(message);
+  size_t taken_back = 0;
+  if (policy_ == Policy::kDropOldest) taken_back = evict_to(static_cast<size_t>(depth_) - 1, "overwritten");
+  if (policy_ == Policy::kLatest) taken_back = evict_to(0, "overwritten");
+  const int64_t left_ns = push(message);
+  if (!producer_recorder_) return;
+  const bool is_frame = message.kind == ipc::MessageKind::kFrame;
+  producer_recorder_->sent(number_, sent_, is_frame, taken_back, left_ns);
 }
 
 void Edge::send_end() {
@@ -86,21 +96,29 @@ void Edge::send_end() {
   push(end);
 }
 
-/// Never full: depth is kept by has_room() and the policies, and the end has a slot of its own.
-void Edge::push(const ipc::Message& message) {
+/// Never full: depth is kept by has_room() and the policies, and the end has a slot of its own. Returns when
+/// it leaves.
+int64_t Edge::push(const ipc::Message& message) {
   if (message.kind == ipc::MessageKind::kFrame) messages_.add();
+  ++sent_;
   if (way_ == Way::kLocal) {
     local_.push(message);
     consumer_.attention->mark(consumer_.runner);
   } else if (way_ == Way::kAcross) {
     ring_.stage(message);
-    if (policy_ != Policy::kBlock) publish(clock_.now_ns());
+    if (policy_ == Policy::kBlock) return Recorder::kAtEnd;
+    const int64_t now_ns = clock_.now_ns();
+    publish(now_ns);
+    return now_ns;
   } else {
     ipc::Message sent = message;
+    sent.number = sent_;
     sent.sent_ns = clock_.now_ns();
     evicting_.push(sent);
     tell_of_message();
+    return sent.sent_ns;
   }
+  return Recorder::kAtEnd;
 }
 
 void Edge::publish_staged(int64_t now_ns) {
@@ -113,23 +131,28 @@ void Edge::tell_of_message() {
   if (waits_->message.take()) consumer_.doorbell->ring(bell_of(consumer_.runner));
 }
 
-void Edge::evict_to(size_t kept, const char* reason) {
+/// How many had to go.
+size_t Edge::evict_to(size_t kept, const char* reason) {
   ipc::Message taken;
-  while (queued() > kept) {
+  size_t count = 0;
+  for (; queued() > kept; ++count) {
     if (way_ == Way::kLocal) {
       taken = *local_.front();
       local_.pop();
+      ++taken_;
     } else if (!evicting_.pop(taken)) {
-      return;  // the consumer was faster
+      break;  // the consumer was faster
     }
     drop(taken, reason);
   }
+  return count;
 }
 
 void Edge::drop(const ipc::Message& message, const char* reason) {
   if (message.kind != ipc::MessageKind::kFrame) return;
   full_.add();
   dropped_.add(reason);
+  if (producer_recorder_) producer_recorder_->edge_dropped(number_, reason);
   Frame(message, *producer_.holder).release();
 }
 
@@ -157,7 +180,17 @@ const ipc::Message* Edge::front() {
   return found;
 }
 
+/// A message may have been sent after the consumer's core has looked at the clock.
+void Edge::record_taken(int64_t now_ns) {
+  const ipc::Message& taken = *oldest();
+  if (taken.kind == ipc::MessageKind::kEnd) return;
+  taken_ = way_ == Way::kEvicting ? taken.number : taken_ + 1;
+  const bool is_frame = taken.kind == ipc::MessageKind::kFrame;
+  consumer_recorder_->taken(number_, taken_, is_frame, ipc() ? std::max(now_ns, taken.sent_ns) : now_ns);
+}
+
 void Edge::pop(int64_t now_ns) {
+  if (consumer_recorder_) record_taken(now_ns);
   if (way_ == Way::kLocal) {
     local_.pop();
     producer_.attention->mark(producer_.runner);

@@ -16,6 +16,7 @@
 #include "framework/clock/clock.h"
 #include "framework/statistics/counter.h"
 #include "framework/statistics/drop_counts.h"
+#include "framework/trace/recorder.h"
 #include "framework/usecase/use_case.h"
 #include "ipc/evicting_ring.h"
 #include "ipc/mark.h"
@@ -47,6 +48,10 @@ class Edge {
   /// An edge into a kState input, where a lost frame need not leave its absence.
   void set_wants_absence(bool wants) { wants_absence_ = wants; }
   bool wants_absence() const { return wants_absence_; }
+  /// Traced, as `number`: by the recorders of the producer's core and the consumer's.
+  void set_recorders(int number, Recorder& producer, Recorder& consumer);
+  /// The most that wait here: one that could be taken back may be in the consumer's hand.
+  int capacity() const { return depth_ + (way_ == Way::kEvicting ? 1 : 0); }
 
   // Producer:
   /// Frames that can be sent now. An edge that may drop always has room.
@@ -86,9 +91,10 @@ class Edge {
   };
 
   size_t queued();
-  void push(const ipc::Message& message);
+  int64_t push(const ipc::Message& message);
+  void record_taken(int64_t now_ns);
   void drop(const ipc::Message& message, const char* reason);
-  void evict_to(size_t kept, const char* reason);
+  size_t evict_to(size_t kept, const char* reason);
   void publish_staged(int64_t now_ns);
   void tell_of_message();
   const ipc::Message* oldest();
@@ -100,6 +106,8 @@ class Edge {
   End producer_, consumer_;
   const Clock& clock_;
   bool wants_absence_ = true;
+  int number_ = 0;                                                        // for the recorders
+  Recorder *producer_recorder_ = nullptr, *consumer_recorder_ = nullptr;  // null: not traced
   ipc::SharedRegion region_;  // of an edge between cores: Waits, then the ring
   Waits* waits_ = nullptr;
   LocalRing local_;
@@ -107,10 +115,12 @@ class Edge {
   ipc::EvictingRing<ipc::Message> evicting_;
   // The producer's.
   alignas(ipc::kCacheLine) Counter messages_, full_;
+  uint32_t sent_ = 0;  // the number of the message sent last
   DropCounts dropped_;
   // The consumer's.
   alignas(ipc::kCacheLine) bool awaits_ = false;  // front() has found nothing
   bool claimed_ = false;                          // kEvicting: the front is out of the ring
+  uint32_t taken_ = 0;                            // where it is traced: the message taken last
   ipc::Message claim_;
   Histogram hop_;
 };

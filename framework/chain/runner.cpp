@@ -25,6 +25,11 @@ Runner::Runner(std::string name, std::string core, std::unique_ptr<Link>& link,
   }
 }
 
+void Runner::set_recorder(int number, Recorder& recorder) {
+  number_ = number;
+  recorder_ = &recorder;
+}
+
 void Runner::connect_input(int port, Edge& edge, bool feedback, bool exact) {
   In& in = inputs_[static_cast<size_t>(port)];
   in.edge = &edge;
@@ -129,7 +134,12 @@ int64_t Runner::run(int64_t now_ns) {
   }
   if (state_ == State::kFinishing) {
     finish_link();
-    return publish_outputs();
+    const int64_t end_ns = publish_outputs();
+    if (recorder_) {
+      recorder_->called(TraceEvent::Kind::kFinish, number_, 0, now_ns, end_ns);
+      recorder_->end_run(end_ns);
+    }
+    return end_ns;
   }
   Gathered gathered = Gathered::kCall;
   if (is_source()) {
@@ -151,7 +161,9 @@ int64_t Runner::run(int64_t now_ns) {
   if (gathered == Gathered::kCall) {
     counters_.process.record(end_ns - now_ns);
     if (!is_source()) counters_.latency.record(end_ns - trigger_.captured_ns);
+    if (recorder_) recorder_->called(TraceEvent::Kind::kCall, number_, frame_number(), now_ns, end_ns);
   }
+  if (recorder_) recorder_->end_run(end_ns);
   return end_ns;
 }
 
@@ -201,7 +213,7 @@ Runner::Gathered Runner::gather_all() {
   }
   feedback_excused_ = false;
   if (state_missing && gathered == Gathered::kCall) {  // it ended without ever giving one
-    counters_.dropped.add("state_missing");
+    drop("state_missing", 1);
     gathered = Gathered::kSkip;
   }
   if (gathered != Gathered::kEnd) {
@@ -254,12 +266,17 @@ void Runner::call_link() {
 }
 
 void Runner::fail(const char* what) {
-  counters_.dropped.add("error");
+  drop("error", 1);
   if (on_error_ == OnError::kDrop) return;
   failed_ = true;
   state_ = State::kFinishing;
+  hooks_.failed({core_, name_, frame_number(), what});
+}
+
+/// Of this call; a source's is what it has captured last.
+uint64_t Runner::frame_number() const {
   const uint64_t captured = counters_.captured.value();
-  hooks_.failed({core_, name_, is_source() ? captured - (captured > 0 ? 1 : 0) : trigger_.sequence, what});
+  return is_source() ? captured - (captured > 0 ? 1 : 0) : trigger_.sequence;
 }
 
 /// Whatever this call has not sent is missing for good: those who wait for it are told.
@@ -330,7 +347,7 @@ void Runner::send(int port, Frame&& frame) {
   Out& out = outputs_[static_cast<size_t>(port)];
   if (!out.edge) return frame.release();  // nobody listens: the buffers go home
   if (!out.edge->has_room()) {
-    counters_.dropped.add("no_room");
+    drop("no_room", 1);
     return frame.release();
   }
   out.sent = true;

@@ -15,6 +15,7 @@
 #include "framework/chain/workers.h"
 #include "framework/link/call.h"
 #include "framework/link/link.h"
+#include "framework/trace/recorder.h"
 #include "framework/usecase/use_case.h"
 
 namespace svchain {
@@ -58,6 +59,8 @@ class alignas(ipc::kCacheLine) Runner final : public Call {
   void connect_output(int port, Edge* edge, std::vector<Pool*> pools, bool preloaded);
   /// Those of the core, while it has threads; null: it works alone.
   void set_workers(Workers* workers) { workers_ = workers; }
+  /// Traced, as `number`: by the recorder of the link's core.
+  void set_recorder(int number, Recorder& recorder);
   void set_calls_without_room(bool value) { calls_without_room_ = value; }
 
   const std::string& name() const { return name_; }
@@ -89,7 +92,10 @@ class alignas(ipc::kCacheLine) Runner final : public Call {
   void send(int port, Frame&& frame) override;
   int room(int port) const override;
   int64_t now_ns() const override { return now_ns_; }
-  void drop(const char* reason, uint64_t count) override { counters_.dropped.add(reason, count); }
+  void drop(const char* reason, uint64_t count) override {
+    counters_.dropped.add(reason, count);
+    if (recorder_) recorder_->link_dropped(number_, reason, count);
+  }
   void captured(uint64_t sets) override { counters_.captured.add(sets); }
   void wake_at(int64_t time_ns) override { wake_at_ns_ = time_ns; }
   void end() override { request_end(); }
@@ -139,6 +145,7 @@ class alignas(ipc::kCacheLine) Runner final : public Call {
   void leave_absences();
   void end_outputs();
   int64_t publish_outputs();
+  uint64_t frame_number() const;
   void discard_inputs();
 
   std::string name_, core_;
@@ -161,6 +168,8 @@ class alignas(ipc::kCacheLine) Runner final : public Call {
   int64_t now_ns_ = 0;
   int64_t wake_at_ns_ = 0;
   Workers* workers_ = nullptr;
+  int number_ = 0;                // for the recorder
+  Recorder* recorder_ = nullptr;  // null: not traced
   RunnerCounters counters_;
 };
 

@@ -22,6 +22,7 @@ struct Chain::Runtime {
   ipc::SharedRegion doorbells_region;
   std::vector<ipc::Doorbell*> doorbells;  // by core, in the region
   std::vector<std::unique_ptr<Core>> cores;
+  std::vector<std::unique_ptr<Recorder>> recorders;  // by core; none: no trace
   ipc::SharedRegion returns_region;
   std::vector<std::unique_ptr<ReturnPath>> return_paths;  // by core
   PoolTable pools;

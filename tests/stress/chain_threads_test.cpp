@@ -2,6 +2,7 @@
 
 #include "tests/catch.h"
 #include "tests/framework/fake_links.h"
+#include "tests/framework/trace_check.h"
 
 using namespace svchain;
 using namespace svchain::testing;
@@ -74,6 +75,42 @@ TEST_CASE("an edge that drops, between threads, accounts for every frame") {
     CHECK(accounted == 20'000);
     CHECK(chain->outstanding().empty());
     CHECK(std::is_sorted(fakes.seen.begin(), fakes.seen.end()));
+  }
+}
+
+TEST_CASE("traced threads record every call and every frame between cores") {
+  for (const char* tail : {"A", "B"}) {
+    Fakes fakes;
+    Threaded threaded;
+    threaded.options.pace.frames = 2000;
+    threaded.options.trace_events = 100'000;
+    auto chain = fakes.chain(loop(tail), threaded.options);
+    run_with_threads(*chain, threaded.done.get_future());
+    const TraceCheck check(*chain);
+    check_calls(check, *chain);
+    CHECK(check.arrows.at("numbers.out -> loop.in") == 2000);
+    CHECK(check.arrows.at("loop.out -> collect.in") == 2000);
+  }
+}
+
+TEST_CASE("traced threads record what edges between them drop, full recorders or not") {
+  for (const std::string policy : {"drop_oldest", "drop_newest", "latest"}) {
+    for (const size_t events : {1'000, 200'000}) {
+      Fakes fakes;
+      Threaded threaded;
+      threaded.options.pace.frames = 5'000;
+      threaded.options.trace_events = events;
+      auto chain = fakes.chain(
+          line("{}", "", R"({"from":"numbers.out","to":"add.in","depth":2,"policy":")" + policy + "\"}"),
+          threaded.options);
+      run_with_threads(*chain, threaded.done.get_future());
+      const TraceCheck check(*chain);
+      const bool full = check.trace["otherData"]["lost_events"] > 0;
+      CHECK(full == (events == 1'000));
+      if (full) continue;
+      check_calls(check, *chain);
+      CHECK(check.arrows.at("add.out -> collect.in") == fakes.seen.size());
+    }
   }
 }
 

@@ -17,6 +17,7 @@ struct RunOptions {
   std::optional<std::string> frames, fps, seed;
   std::string clock = "steady";
   std::optional<std::string> report;   // a file, or "-" for stdout
+  std::optional<std::string> trace;    // a file
   std::optional<std::string> control;  // a file or pipe, or "-" for stdin
 };
 int run(const RunOptions& options);
@@ -80,6 +81,14 @@ struct CompareOptions {
   std::optional<std::string> charts;  // NAME or FILE
 };
 int compare(const CompareOptions& options);
+
+/// Milliseconds as they were typed.
+struct TimelineOptions {
+  std::filesystem::path trace;
+  std::filesystem::path output;
+  std::optional<std::string> from, to;
+};
+int timeline(const TimelineOptions& options);
 
 struct ChartsOptions {
   std::optional<std::filesystem::path> charts;  // left out: the usual chart

@@ -45,6 +45,9 @@ void add_run_options(CLI::App& app, RunOptions& run) {
       ->allow_extra_args(false);
   app.add_option("--report", run.report, "what every link, core, edge and pool did, as JSON; - is stdout")
       ->type_name("FILE");
+  app.add_option("--trace", run.trace,
+                 "every call and message with its time, for Perfetto and svchain timeline")
+      ->type_name("FILE.json");
   app.add_option(
          "--control", run.control,
          "commands to links while running, a line each: LINK COMMAND [JSON]; a file, a named pipe, or "
@@ -217,6 +220,19 @@ void add_charts(CLI::App& app, Command& command) {
   charts_app->callback([options, &command] { command = [options] { return print_charts(*options); }; });
 }
 
+void add_timeline(CLI::App& app, Command& command) {
+  auto* timeline_app = app.add_subcommand("timeline", "draws a trace: which core did what when");
+  const auto options = std::make_shared<TimelineOptions>();
+  timeline_app->add_option("TRACE.json", options->trace, "what a run with --trace has written")->required();
+  timeline_app->add_option("--output", options->output, "the picture to write")
+      ->required()
+      ->type_name("FILE.svg");
+  timeline_app->add_option("--from", options->from, "where to begin; a few frames where neither is given")
+      ->type_name("MS");
+  timeline_app->add_option("--to", options->to, "where to end")->type_name("MS");
+  timeline_app->callback([options, &command] { command = [options] { return timeline(*options); }; });
+}
+
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
@@ -276,6 +292,7 @@ int obey(int argc, char** argv) {
   add_calibrate(app, command);
   add_compare(app, command);
   add_charts(app, command);
+  add_timeline(app, command);
   app.require_subcommand(0, 1);
   for (CLI::App* sub : app.get_subcommands({})) sub->allow_extras();
 

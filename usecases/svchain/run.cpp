@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include "framework/statistics/report_table.h"
+#include "framework/trace/chrome_trace.h"
 #include "usecases/svchain/chain_run.h"
 #include "usecases/svchain/commands.h"
 #include "usecases/svchain/exit_status.h"
@@ -21,6 +22,10 @@ Faults report_faults(const std::optional<std::string>& path) {
   return path && *path != kToStdout ? check_writable(*path, "--report") : Faults{};
 }
 
+Faults trace_faults(const std::optional<std::string>& path) {
+  return path ? check_writable(*path, "--trace") : Faults{};
+}
+
 Faults control_faults(HostLoop& host, const std::string& path) {
   try {
     host.take_commands(path);
@@ -37,6 +42,14 @@ void deliver(const Json& report, const std::string& path) {
   } else {
     write_whole(path, text);
   }
+}
+
+void deliver_trace(const Chain& chain, const std::string& path) {
+  const TracedRun traced = chain.traced();
+  uint64_t lost = 0;
+  for (const Recorder* recorder : traced.recorders) lost += recorder->lost();
+  if (lost > 0) spdlog::warn("the trace is full: the last {} events of the run are not in {}", lost, path);
+  write_whole(path, chrome_trace(traced));
 }
 
 /// The sum over all pixels goes into the report, and costs time: it is formed where there is a report.
@@ -64,6 +77,7 @@ int run(const RunOptions& options) {
   prepare_libraries();
 
   Faults faults = report_faults(options.report);
+  append(faults, trace_faults(options.trace));
   const RunNumbers numbers = read_numbers(options, faults);
   auto planned = plan_use_case(options.use_case);
   if (!planned) {
@@ -81,6 +95,7 @@ int run(const RunOptions& options) {
   ChainOptions chain_options;
   chain_options.pace = pace;
   chain_options.execution = pace.virtual_clock ? Execution::kByHand : Execution::kThreads;
+  if (options.trace) chain_options.trace_events = kUsualTraceEvents;
   chain_options.on_finished = [&host] { host.finish(); };
   Chain chain(std::move(planned->plan), std::move(chain_options));
   configure(chain, faults);
@@ -92,6 +107,7 @@ int run(const RunOptions& options) {
   std::cerr << report_table(report);
   warn_of_outstanding_buffers(chain);
   if (options.report) deliver(report, *options.report);
+  if (options.trace) deliver_trace(chain, *options.trace);
   const auto failure = chain.failure();
   if (failure) std::cerr << "svchain: error: " << failure->text() << '\n';
   return failure ? kFailed : kDone;

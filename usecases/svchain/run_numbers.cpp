@@ -27,11 +27,16 @@ std::optional<uint64_t> read_whole_number(const std::string& option, const std::
   return read<uint64_t>(option, text, "a whole number", range, faults);
 }
 
+std::optional<double> read_number(const std::string& option, const std::optional<std::string>& text,
+                                  const json::Range& range, Faults& faults) {
+  return read<double>(option, text, "a number", range, faults);
+}
+
 RunNumbers read_numbers(const RunOptions& options, Faults& faults) {
   RunNumbers numbers;
   Pace& pace = numbers.pace;
   pace.frames = read_whole_number("--frames", options.frames, {1, 1e12}, faults);
-  numbers.fps = read<double>("--fps", options.fps, "a number", {0.01, 1000, "frames/s"}, faults);
+  numbers.fps = read_number("--fps", options.fps, {0.01, 1000, "frames/s"}, faults);
   pace.real_time = numbers.fps.has_value();
   pace.fps = numbers.fps.value_or(pace.fps);
   numbers.order_seed = read_whole_number("--seed", options.seed, {0, 1.8e19}, faults);

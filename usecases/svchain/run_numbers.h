@@ -18,6 +18,10 @@ struct RunNumbers {
 std::optional<uint64_t> read_whole_number(const std::string& option, const std::optional<std::string>& text,
                                           const json::Range& range, Faults& faults);
 
+/// The same for any number.
+std::optional<double> read_number(const std::string& option, const std::optional<std::string>& text,
+                                  const json::Range& range, Faults& faults);
+
 /// Bad ones become faults.
 RunNumbers read_numbers(const RunOptions& options, Faults& faults);
 
