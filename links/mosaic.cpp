@@ -27,6 +27,7 @@ class Mosaic final : public Link {
   }
 
   void configure(Configuration& configuration) override {
+    pixels_ = configuration.pace().pixels;
     int width_px = 0, height_px = 0;
     for (size_t i = 0; i < kInputs.size(); ++i) {
       const Format& format = configuration.input(static_cast<int>(i)).front();
@@ -37,6 +38,7 @@ class Mosaic final : public Link {
   }
 
   void process(Call& call) override {
+    if (!pixels_) return call.send(kPicture, call.create(kPicture));
     Draft draft = call.create(kPicture);
     cv::Mat picture = bgr_picture(draft);
     int x = 0;
@@ -51,6 +53,9 @@ class Mosaic final : public Link {
     }
     call.send(kPicture, std::move(draft));
   }
+
+ private:
+  bool pixels_ = true;
 };
 
 }  // namespace

@@ -46,6 +46,7 @@ class NullSource final : public Link {
     pacing_ = Pacing(pace, pace.frames.value_or(static_cast<uint64_t>(parameters.integer("count"))),
                      pace.real_time);
     if (pace.real_time) configuration.calls_without_room();
+    pixels_ = pace.pixels;
     buffers_ = static_cast<int>(parameters.integer("buffers"));
     configuration.output(0, PortFormat(static_cast<size_t>(buffers_), format));
     configuration.preloaded(0, 1);
@@ -55,7 +56,7 @@ class NullSource final : public Link {
     const auto set = pacing_.due(call, kPorts);
     if (!set) return;
     call.captured();
-    if (!pictures_) pictures_ = make_pictures(call, buffers_);
+    if (!pictures_) pictures_ = make_pictures(call);
     Frame frame = pictures_.share();
     frame.set_sequence(*set);
     frame.set_captured_ns(call.now_ns());
@@ -67,13 +68,15 @@ class NullSource final : public Link {
   void stop() override { pictures_.release(); }
 
  private:
-  static Frame make_pictures(Call& call, int buffers) {
+  Frame make_pictures(Call& call) const {
     Draft draft = call.create(0);
-    for (int buffer = 0; buffer < buffers; ++buffer) draw(draft.bytes(buffer), draft.format(buffer), buffer);
+    for (int buffer = 0; pixels_ && buffer < buffers_; ++buffer)
+      draw(draft.bytes(buffer), draft.format(buffer), buffer);
     return std::move(draft).publish();
   }
 
   Pacing pacing_;
+  bool pixels_ = true;
   int buffers_ = 1;
   Frame pictures_;
 };

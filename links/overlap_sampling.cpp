@@ -41,6 +41,7 @@ class OverlapSampling final : public Link {
   }
 
   void configure(Configuration& configuration) override {
+    pixels_ = configuration.pace().pixels;
     check_colours(configuration, kFrames);
     geometry::View view;
     view.size_px = view_size_px(configuration);
@@ -52,6 +53,7 @@ class OverlapSampling final : public Link {
   }
 
   void process(Call& call) override {
+    if (!pixels_) return call.send(kStatistics, call.create(kStatistics));
     const Frame& lut = call.input(kLut);
     if (lut_at_ != lut.bytes().data()) lut_.emplace(lut.bytes());
     lut_at_ = lut.bytes().data();
@@ -66,6 +68,7 @@ class OverlapSampling final : public Link {
 
  private:
   const synthesis::Kernel kernel_ = synthesis::best_kernel();
+  bool pixels_ = true;
   int step_ = 8;
   std::optional<synthesis::GeometricLut> lut_;
   const std::byte* lut_at_ = nullptr;

@@ -38,6 +38,7 @@ class PhotometricAlignmentLink final : public Link {
   }
 
   void configure(Configuration& configuration) override {
+    pixels_ = configuration.pace().pixels;
     configuration.output(kToneMapping, {Format::table("tone_mapping", sizeof(synthesis::ToneMapping))});
     const Parameters& given = configuration.parameters();
     enabled_ = given.flag("enabled");
@@ -50,6 +51,7 @@ class PhotometricAlignmentLink final : public Link {
   }
 
   void process(Call& call) override {
+    if (!pixels_) return call.send(kToneMapping, call.create(kToneMapping));
     const auto* statistics =
         reinterpret_cast<const synthesis::OverlapStatistics*>(call.input(kStatistics).bytes().data());
     if (enabled_) alignment_->update(*statistics);
@@ -67,7 +69,9 @@ class PhotometricAlignmentLink final : public Link {
     return status();
   }
 
-  void report(nlohmann::json& report) const override { report["photometric"].update(status()); }
+  void report(nlohmann::json& report) const override {
+    if (pixels_) report["photometric"].update(status());
+  }
 
  private:
   static size_t most_blocks(const Eigen::Vector2i& size_px) {
@@ -105,6 +109,7 @@ class PhotometricAlignmentLink final : public Link {
             {"overlaps", overlaps}};
   }
 
+  bool pixels_ = true;
   bool enabled_ = true;
   std::optional<photometric::PhotometricAlignment> alignment_;
 };

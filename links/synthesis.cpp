@@ -56,6 +56,7 @@ class Synthesis final : public Link {
   }
 
   void configure(Configuration& configuration) override {
+    pixels_ = configuration.pace().pixels;
     check_colours(configuration, kFrames);
     geometry::View view;
     view.size_px = view_size_px(configuration);
@@ -71,6 +72,10 @@ class Synthesis final : public Link {
   }
 
   void process(Call& call) override {
+    if (!pixels_) {
+      call.send(kView, call.create(kView));
+      return call.send(kStatistics, call.create(kStatistics));
+    }
     if (const Frame& curves = call.input(kToneMapping)) {
       std::memcpy(&tone_mapping_, curves.bytes().data(), sizeof(tone_mapping_));
     }
@@ -94,6 +99,7 @@ class Synthesis final : public Link {
 
   void report(nlohmann::json& report) const override {
     report["synthesis"]["kernel"] = synthesis::name_of(kernel_);
+    if (!pixels_) return;
     for (size_t c = 0; c < kCameraCount; ++c) {
       auto& camera = report["photometric"]["tone_mapping"][geometry::kCameraNames[c]];
       camera = {{"b", tone_mapping_.curves[c][0]},
@@ -124,6 +130,7 @@ class Synthesis final : public Link {
     return *lut_;
   }
 
+  bool pixels_ = true;
   synthesis::Kernel kernel_ = synthesis::Kernel::kPortable;
   std::optional<synthesis::GeometricLut> lut_;
   const std::byte* lut_at_ = nullptr;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <set>
 
@@ -116,6 +117,17 @@ void build_return_paths(Chain::Runtime& r) {
   }
 }
 
+std::optional<int64_t> modelled_latency_ns(const Plan& plan, const ChainOptions& options,
+                                           const PlannedEdge& edge) {
+  if (!options.costs) return std::nullopt;
+  const auto core_of = [&](int link) {
+    return plan.cores[static_cast<size_t>(plan.links[static_cast<size_t>(link)].core)];
+  };
+  if (!edge.ipc) return 0;
+  const IpcCost& hop = options.costs->hop(core_of(edge.from_link).kind, core_of(edge.to_link).kind);
+  return std::llround(hop.latency_us * 1e3);
+}
+
 Edge::End end_of(const Plan& plan, Chain::Runtime& r, int link) {
   const auto l = static_cast<size_t>(link);
   const auto core = static_cast<size_t>(plan.links[l].core);
@@ -167,7 +179,7 @@ std::unique_ptr<Chain::Runtime> build_runtime(Plan& plan, const std::vector<Link
   for (const PlannedEdge& edge : plan.edges) {
     r.edges.push_back(std::make_unique<Edge>(edge.entry.name(), edge.entry.depth, edge.entry.policy,
                                              end_of(plan, r, edge.from_link), end_of(plan, r, edge.to_link),
-                                             *r.clock));
+                                             *r.clock, modelled_latency_ns(plan, options, edge)));
     Edge& built = *r.edges.back();
     if (built.ipc()) r.cores[static_cast<size_t>(built.consumer().core)]->add_arrivals(built);
   }
@@ -195,6 +207,7 @@ std::unique_ptr<Chain::Runtime> build_runtime(Plan& plan, const std::vector<Link
     r.cores[static_cast<size_t>(plan.links[l].core)]->add(*r.runners[l]);
   }
   build_recorders(plan, options.trace_events, r);
+  if (options.costs) r.modelled = std::make_unique<ModelledTime>(plan, *options.costs, r);
   return runtime;
 }
 

@@ -55,6 +55,10 @@ Result<void> Chain::configure() {
                                                   held.pool + "\" from the last run");
   }
   auto setups = configure_links(plan_, options_.pace);
+  if (Faults faults = options_.costs ? what_cannot_be_modelled(plan_) : Faults{}; !faults.empty()) {
+    if (!setups) faults.insert(faults.end(), setups.error().begin(), setups.error().end());
+    setups = tl::unexpected(std::move(faults));
+  }
   if (!setups) {
     state_ = before;
     return tl::unexpected(std::move(setups.error()));
@@ -226,6 +230,7 @@ std::future<nlohmann::json> Chain::control(const std::string& link, const std::s
 
 bool Chain::step(const Core::Choice& choice) {
   Runtime& r = *runtime_;
+  if (r.modelled) return r.modelled->step(choice);
   const size_t count = r.cores.size();
   const size_t first = choice ? choice(count) : r.next_core;
   for (size_t i = 0; i < count; ++i) {
@@ -239,6 +244,7 @@ bool Chain::step(const Core::Choice& choice) {
 
 bool Chain::advance_clock() {
   Runtime& r = *runtime_;
+  if (r.modelled) return r.modelled->advance();
   std::optional<int64_t> earliest;
   for (auto& core : r.cores) {
     const auto wake = core->next_wake_ns();

@@ -32,6 +32,9 @@ enum class Execution { kThreads, kByHand };
 struct ChainOptions {
   Pace pace;
   Execution execution = Execution::kThreads;
+  /// By hand under the virtual clock: calls take the time that this says (modelled_time.h). Without it they
+  /// take none.
+  std::optional<CostModel> costs;
   std::chrono::milliseconds drain_deadline{10'000};
   size_t trace_events = 0;  // to record, on all cores together (kUsualTraceEvents); 0: no trace
   /// Called once, on some core's thread, when every link has ended.
@@ -83,7 +86,8 @@ class Chain {
 
   /// By hand: one step of one core, `choice` picks among what is ready. False if nothing was ready anywhere.
   bool step(const Core::Choice& choice = {});
-  /// By hand: moves the virtual clock to the next time a source waits for. False if none does.
+  /// By hand: moves the virtual clock to the next time a source waits for, or to the next event of modelled
+  /// time. False if there is none.
   bool advance_clock();
 
   /// Link calls so far, on all cores: stands still when nothing goes on.

@@ -17,14 +17,18 @@ void Core::add(Runner& runner) {
   runners_.push_back(&runner);
 }
 
-bool Core::step(const Choice& choice) {
+Runner* Core::next(const Choice& choice) {
   if (const uint32_t bells = doorbell_.take()) answer(bells);
   if (!now_is_fresh_) now_ns_ = clock_.now_ns();
   now_is_fresh_ = false;
   for (const size_t source : sources_) {
     if (runners_[source]->wake_time_ns() <= now_ns_) attention_.mark(static_cast<int>(source));
   }
-  Runner* runner = next_ready(choice);
+  return next_ready(choice);
+}
+
+bool Core::step(const Choice& choice) {
+  Runner* runner = next(choice);
   if (!runner) return false;
 
   busy_.store(true, std::memory_order_relaxed);

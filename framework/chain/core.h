@@ -38,6 +38,13 @@ class alignas(ipc::kCacheLine) Core {
   // The stepping thread:
   /// Does what has been posted and calls one ready link; false if there was none.
   bool step(const Choice& choice = {});
+  /// The ready link that comes next, after doing what has been posted; null if there is none.
+  Runner* next(const Choice& choice = {});
+  /// In modelled time: a call has ended.
+  void count_call(int64_t busy_ns) {
+    busy_ns_.add(static_cast<uint64_t>(busy_ns));
+    calls_.add();
+  }
   /// Steps until quit() and parks when there is nothing to do.
   void loop(int spins, bool parks);
   /// The earliest time at which a source here wants to be called.

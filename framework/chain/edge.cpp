@@ -19,18 +19,20 @@ bool evicts(Policy policy) {
 }  // namespace
 
 Edge::Edge(std::string name, int depth, Policy policy, const End& producer, const End& consumer,
-           const Clock& clock)
+           const Clock& clock, std::optional<int64_t> modelled_latency_ns)
     : name_(std::move(name)),
       depth_(policy == Policy::kLatest ? 1 : depth),
       policy_(policy),
-      way_(producer.core == consumer.core ? Way::kLocal
-           : evicts(policy)               ? Way::kEvicting
-                                          : Way::kAcross),
+      way_(modelled_latency_ns              ? Way::kModelled
+           : producer.core == consumer.core ? Way::kLocal
+           : evicts(policy)                 ? Way::kEvicting
+                                            : Way::kAcross),
       producer_(producer),
       consumer_(consumer),
       clock_(clock),
-      local_(way_ == Way::kLocal ? static_cast<size_t>(depth_) + 1 : 0) {
-  if (way_ == Way::kLocal) return;
+      local_(way_ <= Way::kModelled ? static_cast<size_t>(depth_) + 1 : 0),
+      latency_ns_(modelled_latency_ns.value_or(0)) {
+  if (way_ <= Way::kModelled) return;
   const size_t capacity = static_cast<size_t>(depth_) + 1;  // the end has a slot of its own
   const bool evicting = way_ == Way::kEvicting;
   region_ = ipc::SharedRegion(
@@ -55,6 +57,8 @@ size_t Edge::queued() {
   switch (way_) {
     case Way::kLocal:
       return local_.size();
+    case Way::kModelled:
+      return local_.size() + held_back_.size();
     case Way::kAcross:
       return ring_.filled();
     case Way::kEvicting:
@@ -72,12 +76,18 @@ bool Edge::has_room() {
   const auto depth = static_cast<size_t>(depth_);
   if (policy_ != Policy::kBlock) return true;
   if (way_ == Way::kLocal) return local_.size() < depth;
+  if (way_ == Way::kModelled) return queued() < depth;
   if (ring_.filled_at_most() < depth || ring_.filled() < depth) return true;
   waits_->room.set();
   return ring_.filled() < depth;
 }
 
 void Edge::send(const ipc::Message& message) {
+  if (way_ == Way::kModelled) return held_back_.push_back(message);
+  apply_policy(message);
+}
+
+void Edge::apply_policy(const ipc::Message& message) {
   if (policy_ == Policy::kDropNewest && queued() >= static_cast<size_t>(depth_)) {
     return drop(message, "queue_full");
   }
@@ -93,6 +103,7 @@ void Edge::send(const ipc::Message& message) {
 void Edge::send_end() {
   ipc::Message end;
   end.kind = ipc::MessageKind::kEnd;
+  if (way_ == Way::kModelled) return held_back_.push_back(end);
   push(end);
 }
 
@@ -104,6 +115,8 @@ int64_t Edge::push(const ipc::Message& message) {
   if (way_ == Way::kLocal) {
     local_.push(message);
     consumer_.attention->mark(consumer_.runner);
+  } else if (way_ == Way::kModelled) {
+    local_.push(message);
   } else if (way_ == Way::kAcross) {
     ring_.stage(message);
     if (policy_ == Policy::kBlock) return Recorder::kAtEnd;
@@ -136,7 +149,7 @@ size_t Edge::evict_to(size_t kept, const char* reason) {
   ipc::Message taken;
   size_t count = 0;
   for (; queued() > kept; ++count) {
-    if (way_ == Way::kLocal) {
+    if (way_ <= Way::kModelled) {
       taken = *local_.front();
       local_.pop();
       ++taken_;
@@ -160,6 +173,8 @@ const ipc::Message* Edge::oldest() {
   switch (way_) {
     case Way::kLocal:
       return local_.front();
+    case Way::kModelled:
+      return local_.front() && !next_arrival_ns() ? local_.front() : nullptr;
     case Way::kAcross:
       return ring_.front();
     case Way::kEvicting:
@@ -171,7 +186,7 @@ const ipc::Message* Edge::oldest() {
 
 const ipc::Message* Edge::front() {
   const ipc::Message* found = oldest();
-  if (way_ == Way::kLocal) return found;
+  if (way_ <= Way::kModelled) return found;
   if (!found) {
     waits_->message.set();
     found = oldest();
@@ -198,12 +213,42 @@ void Edge::pop(int64_t now_ns) {
   }
   if (const ipc::Message& taken = *oldest(); taken.kind == ipc::MessageKind::kFrame)
     hop_.record(now_ns - taken.sent_ns);
+  if (way_ == Way::kModelled) {
+    local_.pop();
+    producer_.attention->mark(producer_.runner);
+    return;
+  }
   if (way_ == Way::kEvicting) {
     claimed_ = false;
     return;
   }
   ring_.pop();
   if (waits_->room.take()) producer_.doorbell->ring(bell_of(producer_.runner));
+}
+
+void Edge::hand_over(int64_t now_ns) {
+  leaving_.swap(held_back_);
+  for (ipc::Message& message : leaving_) {
+    message.sent_ns = now_ns;
+    if (message.kind == ipc::MessageKind::kEnd) {
+      push(message);
+    } else {
+      apply_policy(message);
+      high_water_ = std::max(high_water_, local_.size());
+    }
+  }
+  leaving_.clear();
+  tell_if_arrived();
+}
+
+std::optional<int64_t> Edge::next_arrival_ns() const {
+  const ipc::Message* next = local_.front();
+  if (!next || next->sent_ns + latency_ns_ <= clock_.now_ns()) return std::nullopt;
+  return next->sent_ns + latency_ns_;
+}
+
+void Edge::tell_if_arrived() {
+  if (oldest()) consumer_.attention->mark(consumer_.runner);
 }
 
 bool Edge::arrived() {

@@ -6,9 +6,14 @@
 // What a call sends to another core leaves at the end of the call, all of it at the time that ends the call.
 // (Edges that may drop send at once: what they drop depends on what the other core has taken.)
 //
+// In modelled time (modelled_time.h) one thread has both sides, and every edge, local ones too, hands over at
+// the end of the call; its consumer sees that a latency later.
+//
 // Thread rule: the functions of the producer on its core, those of the consumer on its core.
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "framework/buffer/attention.h"
 #include "framework/buffer/holder.h"
@@ -37,11 +42,12 @@ class Edge {
     Holder* holder = nullptr;
   };
 
+  /// `modelled_latency_ns`: of an edge in modelled time.
   Edge(std::string name, int depth, Policy policy, const End& producer, const End& consumer,
-       const Clock& clock);
+       const Clock& clock, std::optional<int64_t> modelled_latency_ns = {});
 
   const std::string& name() const { return name_; }
-  bool ipc() const { return way_ != Way::kLocal; }
+  bool ipc() const { return producer_.core != consumer_.core; }
   int depth() const { return depth_; }
   const End& producer() const { return producer_; }
   const End& consumer() const { return consumer_; }
@@ -76,6 +82,18 @@ class Edge {
   /// For a core that spins: a message has come since front() found none. True only once.
   bool arrived();
 
+  // In modelled time:
+  /// What the call that goes on has sent.
+  const std::vector<ipc::Message>& held_back() const { return held_back_; }
+  /// The same leaves now, the end of the call.
+  void hand_over(int64_t now_ns);
+  /// When the oldest message can be seen, if it cannot yet.
+  std::optional<int64_t> next_arrival_ns() const;
+  /// Has the consumer's link looked at, if there is a message that it can see.
+  void tell_if_arrived();
+  /// The most frames and absences that have waited here.
+  size_t high_water() const { return high_water_; }
+
   uint64_t messages() const { return messages_.value(); }
   /// Times the producer found no room (kBlock), or frames that were dropped for want of it.
   uint64_t full() const { return full_.value(); }
@@ -83,8 +101,9 @@ class Edge {
   const Histogram& hop() const { return hop_; }
 
  private:
-  /// How messages go: within a core; to another core; to another core that may find some taken back.
-  enum class Way { kLocal, kAcross, kEvicting };
+  /// How messages go: within a core; in modelled time; to another core; to another core that may find some
+  /// taken back.
+  enum class Way { kLocal, kModelled, kAcross, kEvicting };
   /// In the region, before the ring: who waits for the other side.
   struct Waits {
     ipc::Mark message, room;
@@ -93,6 +112,7 @@ class Edge {
   size_t queued();
   int64_t push(const ipc::Message& message);
   void record_taken(int64_t now_ns);
+  void apply_policy(const ipc::Message& message);
   void drop(const ipc::Message& message, const char* reason);
   size_t evict_to(size_t kept, const char* reason);
   void publish_staged(int64_t now_ns);
@@ -110,7 +130,10 @@ class Edge {
   Recorder *producer_recorder_ = nullptr, *consumer_recorder_ = nullptr;  // null: not traced
   ipc::SharedRegion region_;  // of an edge between cores: Waits, then the ring
   Waits* waits_ = nullptr;
-  LocalRing local_;
+  LocalRing local_;  // of kModelled too
+  std::vector<ipc::Message> held_back_, leaving_;
+  int64_t latency_ns_ = 0;
+  size_t high_water_ = 0;
   ipc::Ring<ipc::Message> ring_;
   ipc::EvictingRing<ipc::Message> evicting_;
   // The producer's.

@@ -16,11 +16,6 @@ double rounded(double v, double parts) {
   return std::round(v * parts) / parts;
 }
 
-Json in_ms(const Histogram& h) {
-  const auto ms = [](int64_t ns) { return rounded(static_cast<double>(ns) * 1e-6, 1e4); };
-  return {{"p50", ms(h.quantile_ns(0.5))}, {"p99", ms(h.quantile_ns(0.99))}, {"max", ms(h.max_ns())}};
-}
-
 Json in_us(const Histogram& h) {
   const auto us = [](int64_t ns) { return rounded(static_cast<double>(ns) * 1e-3, 1e3); };
   return {{"p50", us(h.quantile_ns(0.5))}, {"p99", us(h.quantile_ns(0.99))}};
@@ -37,8 +32,7 @@ struct Deliveries {
 
 /// What the delivering links have processed (every sink where none says that it delivers); the fewest counts.
 Deliveries deliveries(const Plan& plan, const Chain::Runtime& r) {
-  const bool named = std::any_of(plan.links.begin(), plan.links.end(),
-                                 [](const PlannedLink& l) { return l.description.delivers; });
+  const bool named = some_link_delivers(plan);
   Deliveries d;
   for (size_t l = 0; l < plan.links.size(); ++l) {
     const LinkDescription& description = plan.links[l].description;
@@ -75,10 +69,26 @@ Json frames_part(const Plan& plan, const Chain::Runtime& r, uint64_t delivered) 
 
 }  // namespace
 
+bool some_link_delivers(const Plan& plan) {
+  return std::any_of(plan.links.begin(), plan.links.end(),
+                     [](const PlannedLink& l) { return l.description.delivers; });
+}
+
+uint64_t dropped_count(const Plan& plan, const Chain::Runtime& r) {
+  uint64_t sum = 0;
+  for (const auto& [reason, count] : dropped_sets(plan, r)) sum += count;
+  return sum;
+}
+
+Json in_ms(const Histogram& h) {
+  const auto ms = [](int64_t ns) { return rounded(static_cast<double>(ns) * 1e-6, 1e4); };
+  return {{"p50", ms(h.quantile_ns(0.5))}, {"p99", ms(h.quantile_ns(0.99))}, {"max", ms(h.max_ns())}};
+}
+
 Progress Chain::progress() const {
   Progress progress;
   progress.delivered = deliveries(plan_, *runtime_).delivered;
-  for (const auto& [reason, count] : dropped_sets(plan_, *runtime_)) progress.dropped += count;
+  progress.dropped = dropped_count(plan_, *runtime_);
   return progress;
 }
 
@@ -124,6 +134,7 @@ nlohmann::json Chain::report() const {
                                      {"outstanding_at_stop", pool->buffers() - pool->free()}};
   }
   for (const auto& held : outstanding()) report["pools"][held.pool]["held_by"][held.holder] = held.count;
+  if (r.modelled) r.modelled->report(report, end_ns);
   for (const auto& runner : r.runners) runner->link().report(report);
   return report;
 }

@@ -127,19 +127,23 @@ void Runner::absorb_newest(In& in) {
 }
 
 int64_t Runner::run(int64_t now_ns) {
+  const Gathered what = act(now_ns);
+  let_go_of_inputs();
+  const int64_t end_ns = publish_outputs();
+  record(what, end_ns);
+  return end_ns;
+}
+
+/// Everything of a call but its end.
+Runner::Gathered Runner::act(int64_t now_ns) {
   now_ns_ = now_ns;
   if (state_ == State::kEnded) {
     discard_inputs();
-    return now_ns;
+    return Gathered::kNothing;
   }
   if (state_ == State::kFinishing) {
     finish_link();
-    const int64_t end_ns = publish_outputs();
-    if (recorder_) {
-      recorder_->called(TraceEvent::Kind::kFinish, number_, 0, now_ns, end_ns);
-      recorder_->end_run(end_ns);
-    }
-    return end_ns;
+    return Gathered::kFinish;
   }
   Gathered gathered = Gathered::kCall;
   if (is_source()) {
@@ -150,21 +154,30 @@ int64_t Runner::run(int64_t now_ns) {
   }
   if (gathered == Gathered::kCall) call_link();
   if (gathered == Gathered::kSkip) leave_absences();
-  for (In& in : inputs_) {
-    if (in.intake == Intake::kEach) in.frame.release();
-  }
   if (gathered == Gathered::kEnd) {
     state_ = State::kFinishing;
     if (is_source()) end_outputs();
   }
-  const int64_t end_ns = publish_outputs();
-  if (gathered == Gathered::kCall) {
-    counters_.process.record(end_ns - now_ns);
-    if (!is_source()) counters_.latency.record(end_ns - trigger_.captured_ns);
-    if (recorder_) recorder_->called(TraceEvent::Kind::kCall, number_, frame_number(), now_ns, end_ns);
+  return gathered;
+}
+
+void Runner::let_go_of_inputs() {
+  for (In& in : inputs_) {
+    if (in.intake == Intake::kEach) in.frame.release();
   }
-  if (recorder_) recorder_->end_run(end_ns);
-  return end_ns;
+}
+
+/// What began at now_ns_, for the statistics and the trace.
+void Runner::record(Gathered what, int64_t end_ns) {
+  if (what == Gathered::kCall) {
+    counters_.process.record(end_ns - now_ns_);
+    if (!is_source()) counters_.latency.record(end_ns - trigger_.captured_ns);
+  }
+  if (!recorder_) return;
+  if (what == Gathered::kCall)
+    recorder_->called(TraceEvent::Kind::kCall, number_, frame_number(), now_ns_, end_ns);
+  if (what == Gathered::kFinish) recorder_->called(TraceEvent::Kind::kFinish, number_, 0, now_ns_, end_ns);
+  recorder_->end_run(end_ns);
 }
 
 /// The end of a call, for the statistics as for what it has sent.

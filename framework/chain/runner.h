@@ -81,6 +81,21 @@ class alignas(ipc::kCacheLine) Runner final : public Call {
   Waiting waiting(int64_t now_ns);
   /// Only when waiting() is ready. Returns the time at its end.
   int64_t run(int64_t now_ns);
+
+  // In modelled time (modelled_time.h), instead of run():
+  /// What a call had to do.
+  struct Work {
+    bool called = false;                   // the link's process()
+    bool sent = false;                     // frames, on any output
+    uint64_t input_px = 0, output_px = 0;  // of the pictures taken and sent
+  };
+  /// All of a call but its end: what it has sent stays here, and what it was given is not let go.
+  Work begin_call(int64_t now_ns);
+  void end_call(int64_t end_ns);
+  bool in_call() const { return under_way_ == Gathered::kCall; }
+  /// Of what the last call was about.
+  int64_t captured_ns() const { return trigger_.captured_ns; }
+
   /// When a source wants to be called; meaningful while it waits for kTime.
   int64_t wake_time_ns() const { return wake_at_ns_; }
 
@@ -120,7 +135,8 @@ class alignas(ipc::kCacheLine) Runner final : public Call {
     bool sent = false;
     bool full = false;
   };
-  enum class Gathered { kNothing, kCall, kSkip, kEnd };
+  /// What a run of the runner came to.
+  enum class Gathered { kNothing, kCall, kSkip, kEnd, kFinish };
   /// Of a call's first input: sequence and times of what is made.
   struct Moment {
     uint64_t sequence = 0;
@@ -134,6 +150,10 @@ class alignas(ipc::kCacheLine) Runner final : public Call {
   bool feedback_ready(In& in);
   void absorb_newest(In& in);
   bool fronts_are_there();
+  Gathered act(int64_t now_ns);
+  void let_go_of_inputs();
+  void record(Gathered what, int64_t end_ns);
+  uint64_t px_of(const ipc::Message& message) const;
   Gathered gather_all();
   /// Only where there is a front.
   ipc::MessageKind take_front(In& in);
@@ -162,6 +182,7 @@ class alignas(ipc::kCacheLine) Runner final : public Call {
   bool calls_without_room_ = false;
   std::atomic<bool> end_requested_{false};
   bool called_ = false;
+  Gathered under_way_ = Gathered::kNothing;  // from begin_call() to end_call()
   bool failed_ = false;
   bool feedback_excused_ = false;
   Moment trigger_;

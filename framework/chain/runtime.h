@@ -11,6 +11,7 @@
 #include "framework/chain/chain.h"
 #include "framework/chain/core.h"
 #include "framework/chain/edge.h"
+#include "framework/chain/modelled_time.h"
 #include "ipc/shared_region.h"
 
 namespace svchain {
@@ -41,7 +42,8 @@ struct Chain::Runtime {
   std::atomic<size_t> ended{0};
   std::mutex finished_mutex;
   std::condition_variable finished;
-  size_t next_core = 0;  // by hand: whose turn it is
+  size_t next_core = 0;                    // by hand: whose turn it is
+  std::unique_ptr<ModelledTime> modelled;  // by hand, with a cost model
 };
 
 /// What the links said when they were configured.
@@ -58,6 +60,12 @@ Result<std::vector<LinkSetup>> configure_links(Plan& plan, const Pace& pace);
 /// Buffers that an output port needs: its edge's depth and whatever lies behind that keeps frames, and one to
 /// write.
 size_t buffers_needed(const Plan& plan, const std::vector<LinkSetup>& setups, int link, int port);
+
+/// A link says that it delivers; where none does, every sink counts as one that does.
+bool some_link_delivers(const Plan& plan);
+/// Sets lost on their way to delivery.
+uint64_t dropped_count(const Plan& plan, const Chain::Runtime& runtime);
+nlohmann::json in_ms(const Histogram& durations);
 
 /// Makes cores, pools, edges and runners. Throws std::system_error where memory is short.
 std::unique_ptr<Chain::Runtime> build_runtime(Plan& plan, const std::vector<LinkSetup>& setups,

@@ -31,6 +31,7 @@ struct Pace {
   double fps = 30;  // nominal rate of time stamps, and of capture in real time
   std::optional<uint64_t> frames;  // sets to capture; nothing: as the source has
   uint64_t seed = 1;
+  bool pixels = true;  // false: timing alone; links send what they would send and neither read nor write it
 };
 
 /// What a link is given, and says, while it is configured. Borrowed for the call.

@@ -79,6 +79,17 @@ std::string headline(const Json& report) {
   return text;
 }
 
+/// What a modelled run comes to once power-up is over.
+std::string after_power_up(const Json& report) {
+  const Json& after = part(report, "after_power_up");
+  if (after.empty()) return {};
+  std::string text = "modelled, from " + cell(after, "from_s") + " s on: " + cell(after, "fps") +
+                     " frames/s, " + cell(after, "dropped") + " dropped";
+  for (const auto& [name, core] : part(after, "cores").items())
+    text += ", " + name + " " + with_decimals(100 * core.value("load", 0.0), 1) + " %";
+  return text + "\n";
+}
+
 std::string cores(const Json& report) {
   std::vector<Row> rows = {{"core", "load %"}};
   for (const auto& [name, core] : part(report, "cores").items()) {
@@ -129,8 +140,8 @@ std::string output(const Json& report) {
 }  // namespace
 
 std::string report_table(const nlohmann::json& report) {
-  return headline(report) + cores(report) + links(report) + edges_between_cores(report) + pools(report) +
-         output(report);
+  return headline(report) + after_power_up(report) + cores(report) + links(report) +
+         edges_between_cores(report) + pools(report) + output(report);
 }
 
 }  // namespace svchain

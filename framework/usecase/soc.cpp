@@ -45,7 +45,7 @@ void read_roles(const Value& roles, Soc& soc) {
 Result<Soc> read(const Document& document) {
   Faults faults;
   const Value root(document, faults);
-  root.only({"name", "title", "cores", "roles"});
+  root.only({"name", "title", "cores", "roles", "costs"});
   if (!root.is_object()) return tl::unexpected(std::move(faults));
   Soc soc;
   soc.name = root.required("name").string();
@@ -54,6 +54,7 @@ Result<Soc> read(const Document& document) {
   for (const auto& [name, value] : members_in_order(cores)) soc.cores.push_back(read_core(name, value));
   if (cores.is_object() && soc.cores.empty()) cores.fault("expected at least one core");
   read_roles(root.optional("roles"), soc);
+  soc.costs = read_cost_model(root.optional("costs"));
   if (!faults.empty()) return tl::unexpected(std::move(faults));
   return soc;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The cores of a system on chip, as a SoC file lists them. Plain values.
+// The cores of a system on chip and what work costs there, as a SoC file lists them. Plain values.
 
 #include <filesystem>
 #include <map>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algorithms/json/fault.h"
+#include "framework/usecase/cost_model.h"
 
 namespace svchain {
 
@@ -27,6 +28,7 @@ struct Soc {
   std::string title;
   std::vector<SocCore> cores;
   std::map<std::string, std::string> roles;  // "host" -> "A15"
+  CostModel costs;
 
   /// The core a name or a role stands for; null if there is none.
   const SocCore* find(const std::string& core_or_role) const;

@@ -38,6 +38,7 @@ class BowlView final : public Link {
   }
 
   void configure(Configuration& configuration) override {
+    pixels_ = configuration.pace().pixels;
     check_colours(configuration, kFrames);
     const Eigen::Vector2i size_px = view_size_px(configuration);
     configuration.output(kView, {Format::bgr8(size_px.x(), size_px.y())});
@@ -51,6 +52,7 @@ class BowlView final : public Link {
   void check(Configuration& configuration) override { read_settings(configuration); }
 
   void process(Call& call) override {
+    if (!pixels_) return call.send(kView, call.create(kView));
     follow_rig(call.input(kRig));
     const double time_s = inputs_.take(call, kFrames, kToneMapping);
     Draft view = call.create(kView);
@@ -67,7 +69,7 @@ class BowlView final : public Link {
   }
 
   void report(nlohmann::json& report) const override {
-    if (!painter_) return;
+    if (!painter_ || !pixels_) return;
     report["bowl_view"] = {{"renderer", "cpu"},
                            {"frames", frames_},
                            {"luts", painter_->luts()},
@@ -99,6 +101,7 @@ class BowlView final : public Link {
     rig_at_ = frame.bytes().data();
   }
 
+  bool pixels_ = true;
   geometry::Vehicle vehicle_;
   bowl::BowlSurface surface_;
   synthesis::BlendShape shape_;

@@ -41,6 +41,7 @@ class BowlViewGl final : public Link {
   }
 
   void configure(Configuration& configuration) override {
+    pixels_ = configuration.pace().pixels;
     check_colours(configuration, kFrames);
     size_px_ = view_size_px(configuration);
     configuration.output(kView, {Format::bgr8(size_px_.x(), size_px_.y())});
@@ -48,7 +49,7 @@ class BowlViewGl final : public Link {
     by_cpu_.reset();
     why_not_gl_.clear();
     read_settings(configuration);
-    begin(configuration);
+    if (pixels_) begin(configuration);
     mesh_at_ = nullptr;
     inputs_ = {};
     frames_ = frames_by_gl_ = 0;
@@ -57,6 +58,7 @@ class BowlViewGl final : public Link {
   void check(Configuration& configuration) override { read_settings(configuration); }
 
   void process(Call& call) override {
+    if (!pixels_) return call.send(kView, call.create(kView));
     const double time_s = inputs_.take(call, kFrames, kToneMapping);
     Draft view = call.create(kView);
     cv::Mat picture = bgr_picture(view);
@@ -73,6 +75,7 @@ class BowlViewGl final : public Link {
   void stop() override { by_gl_.reset(); }
 
   void report(nlohmann::json& report) const override {
+    if (!pixels_) return;
     nlohmann::json& own = report["bowl_view"];
     own = {{"renderer", gl_name_.empty() ? "cpu" : gl_name_}, {"frames", frames_}, {"by_gl", frames_by_gl_}};
     if (times_lost_ > 0) own["gl_lost"] = times_lost_;
@@ -151,6 +154,7 @@ class BowlViewGl final : public Link {
     return true;
   }
 
+  bool pixels_ = true;
   Eigen::Vector2i size_px_ = {0, 0};
   geometry::Vehicle vehicle_;
   synthesis::BlendShape shape_;

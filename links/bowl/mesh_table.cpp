@@ -38,6 +38,7 @@ class MeshTableLink final : public Link {
   }
 
   void configure(Configuration& configuration) override {
+    pixels_ = configuration.pace().pixels;
     read_settings(configuration);
     tolerance_px_ = configuration.parameters().number("tolerance_px");
     store_ = configuration.parameters().text("store");
@@ -50,10 +51,12 @@ class MeshTableLink final : public Link {
   void process(Call& call) override {
     const Frame& input = call.input(kRig);
     if (input.bytes().data() == rig_at_) return;
-    const geometry::Rig rig = read_rig_table(input.bytes());
     Draft mesh = call.create(kMesh);
-    make(rig, mesh.bytes(0));
-    write_rig(rig, mesh.bytes(1));
+    if (pixels_) {
+      const geometry::Rig rig = read_rig_table(input.bytes());
+      make(rig, mesh.bytes(0));
+      write_rig(rig, mesh.bytes(1));
+    }
     call.send(kMesh, std::move(mesh));
     rig_at_ = input.bytes().data();
   }
@@ -106,6 +109,7 @@ class MeshTableLink final : public Link {
     return true;
   }
 
+  bool pixels_ = true;
   geometry::Vehicle vehicle_;
   bowl::BowlSurface surface_;
   synthesis::BlendShape shape_;

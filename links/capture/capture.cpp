@@ -49,7 +49,8 @@ class Capture final : public Link {
       if (configuration.output_connected(port)) ports_.push_back(port);
     }
     auto opened = open_source(configuration.setting("input").text("value"),
-                              {pace.fps, pace.seed, pace.real_time && !pace.virtual_clock});
+                              {pace.fps, pace.seed, pace.real_time && !pace.virtual_clock, pace.pixels});
+    pixels_ = pace.pixels;
     if (!opened) {
       configuration.faults(opened.error());
       return;
@@ -163,6 +164,7 @@ class Capture final : public Link {
   /// Sources give BGR. Other formats are made of it here, as a camera's image processor does.
   std::optional<int64_t> read(Draft& draft, uint64_t set, int port) {
     const auto camera = static_cast<size_t>(port);
+    if (!pixels_) return source_->time_ns(set, camera);
     cv::Mat& seen = seen_[camera];
     if (seen.empty()) {
       cv::Mat image = bgr_picture(draft);
@@ -173,6 +175,7 @@ class Capture final : public Link {
     return time_ns;
   }
 
+  bool pixels_ = true;
   std::unique_ptr<FrameSource> source_;
   Pacing pacing_;
   std::vector<int> ports_;  // connected ones

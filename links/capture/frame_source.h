@@ -36,6 +36,8 @@ class FrameSource {
   /// returns its time stamp in ns from the first set; nothing where the camera has no frame for it. Sets are
   /// asked for in rising order, not necessarily all of them.
   virtual std::optional<int64_t> read(uint64_t set, size_t camera, cv::Mat& into) = 0;
+  /// The time stamp alone, of a frame that is there.
+  virtual int64_t time_ns(uint64_t set, size_t camera) const = 0;
   /// Nothing will come any more, although `sets` did not say so.
   virtual bool ended() const { return false; }
   virtual void stop() {}
@@ -45,6 +47,7 @@ struct SourceRequest {
   double fps = 30;         // nominal rate of the time stamps
   uint64_t seed = 1;       // of simulated noise
   bool real_time = false;  // frames must be there when they are due
+  bool pixels = true;      // false: only time_ns() will be called, not read()
 };
 
 /// SOURCE as on the command line: a directory, `simulated:SCENE` or `front=URL,right=URL,rear=URL,left=URL`.

@@ -70,6 +70,7 @@ class NumberedSource final : public FrameSource {
     }
     return nominal_time_ns(set, fps_);
   }
+  int64_t time_ns(uint64_t set, size_t) const override { return nominal_time_ns(set, fps_); }
 
  private:
   std::string where(size_t camera, uint64_t set) const {

@@ -16,13 +16,13 @@ namespace {
 
 class SimulatedSource final : public FrameSource {
  public:
-  SimulatedSource(scene::Scene scene, bool real_time)
-      : renderer_(std::make_shared<scene::World>(std::move(scene))), scene_(renderer_.world().scene()) {
+  SimulatedSource(scene::Scene scene, const SourceRequest& request) : scene_(std::move(scene)) {
+    if (request.pixels) renderer_.emplace(std::make_shared<scene::World>(scene_));
     facts_.usual_sets = 300;
     for (size_t c = 0; c < kCameras; ++c) {
       const Eigen::Vector2i size = scene_.rig.cameras[c].image_size_px;
       facts_.size_px[c] = {size.x(), size.y()};
-      if (!real_time) continue;
+      if (!request.real_time) continue;
       ahead_[c] = std::make_unique<RenderAhead>(
           facts_.size_px[c], [this, c](uint64_t set, cv::Mat& into) { render(set, c, into); });
     }
@@ -35,6 +35,9 @@ class SimulatedSource final : public FrameSource {
     } else {
       render(set, camera, into);
     }
+    return time_ns(set, camera);
+  }
+  int64_t time_ns(uint64_t set, size_t camera) const override {
     return scene::capture_time_ns(scene_, camera, set);
   }
   void start() override {
@@ -50,12 +53,11 @@ class SimulatedSource final : public FrameSource {
 
  private:
   void render(uint64_t set, size_t camera, cv::Mat& into) const {
-    const int64_t time_ns = scene::capture_time_ns(scene_, camera, set);
-    renderer_.render(camera, static_cast<double>(time_ns) * 1e-9, set, into);
+    renderer_->render(camera, static_cast<double>(time_ns(set, camera)) * 1e-9, set, into);
   }
 
-  scene::Renderer renderer_;
-  const scene::Scene& scene_;
+  const scene::Scene scene_;
+  std::optional<scene::Renderer> renderer_;  // none where no pixels are asked for
   SourceFacts facts_;
   std::array<std::unique_ptr<RenderAhead>, kCameras> ahead_;  // in real time only
 };
@@ -75,7 +77,7 @@ Result<std::unique_ptr<FrameSource>> open_simulated(const std::string& scene, co
   if (!read) return tl::unexpected(read.error());
   read->frame_rate_hz = request.fps;
   read->seed += request.seed - 1;  // 1, the usual one, leaves the scene's own
-  return std::make_unique<SimulatedSource>(std::move(*read), request.real_time);
+  return std::make_unique<SimulatedSource>(std::move(*read), request);
 }
 
 }  // namespace svchain

@@ -25,6 +25,7 @@ class StillsSource final : public FrameSource {
     images_[camera].copyTo(into);
     return nominal_time_ns(set, fps_);
   }
+  int64_t time_ns(uint64_t set, size_t) const override { return nominal_time_ns(set, fps_); }
 
  private:
   double fps_;

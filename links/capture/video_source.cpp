@@ -55,6 +55,7 @@ class VideoSource final : public FrameSource {
     if (image.data != into.data) image.copyTo(into);
     return nominal_time_ns(set, fps_);
   }
+  int64_t time_ns(uint64_t set, size_t) const override { return nominal_time_ns(set, fps_); }
 
  private:
   std::optional<int64_t> end_of(size_t camera, uint64_t set) {

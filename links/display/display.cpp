@@ -27,6 +27,8 @@ class Display final : public Link {
     check_colours(configuration, 0);
     output_ = configuration.setting("output").text("value");
     hash_.reset();
+    writer_.reset();
+    if (!configuration.pace().pixels) return;
     if (configuration.parameters().flag("sha256")) hash_.emplace();
     auto writer = make_writer(output_, {configuration.input(0).front(), configuration.pace().fps});
     if (!writer) return configuration.faults(writer.error());

@@ -48,6 +48,7 @@ class GeometricAlignment final : public Link {
     configuration.output(kLut, {Format::table("geometric_lut", lut_capacity())});
     offer_rig(configuration);
     real_times_ = !configuration.pace().virtual_clock;
+    pixels_ = configuration.pace().pixels;
     due_ = true;
     luts_ = kept_ = 0;
     accuracy_ = nlohmann::json::object();
@@ -61,7 +62,7 @@ class GeometricAlignment final : public Link {
     const Frame& frames = call.input(kFrames);
     if (luts_ > 0 && !is_complete(frames)) return;  // the next one will do; the first one has to
     Draft lut = call.create(kLut);
-    make(frames, lut.bytes());
+    if (pixels_) make(frames, lut.bytes());
     if (reasons_.empty()) {
       call.send(kLut, std::move(lut));
       if (gives_rig_) send_rig(call);
@@ -93,7 +94,7 @@ class GeometricAlignment final : public Link {
                       {"metres_per_px", view.metres_per_px},
                       {"centre_m", {view.centre_m.x(), view.centre_m.y()}}};
     report["geometric_alignment"] = status();
-    if (luts_ == 0) return;
+    if (luts_ == 0 || !pixels_) return;
     report["lut"] = {{"bytes", footprint_.bytes},
                      {"bytes_per_px", footprint_.bytes_per_pixel},
                      {"source_px", footprint_.source_pixels},
@@ -121,7 +122,7 @@ class GeometricAlignment final : public Link {
 
   void send_rig(Call& call) {
     Draft rig = call.create(kRig);
-    write_rig(aligned_rig_, rig.bytes());
+    if (pixels_) write_rig(aligned_rig_, rig.bytes());
     call.send(kRig, std::move(rig));
   }
 
@@ -214,6 +215,7 @@ class GeometricAlignment final : public Link {
   geometry::Rig aligned_rig_;  // of the last alignment
   bool gives_rig_ = false;
   bool real_times_ = false;
+  bool pixels_ = true;
   bool due_ = true;
   uint64_t luts_ = 0;                             // sent
   uint64_t kept_ = 0;                             // alignments rejected while a LUT was in force

@@ -27,3 +27,10 @@ TEST_CASE("the table names what was dropped and why, who held a buffer, and what
 TEST_CASE("the table of an empty report is a line") {
   CHECK(svchain::report_table(nlohmann::json::parse(R"({"usecase": "u", "soc": "s"})")) == "u on s\n");
 }
+
+TEST_CASE("the table of a modelled run says what it comes to after power-up") {
+  const auto report = nlohmann::json::parse(R"({"usecase": "u", "soc": "s", "after_power_up":
+    {"from_s": 7.03, "fps": 30.0, "dropped": 0, "cores": {"DSP1": {"load": 0.03}, "DSP2": {"load": 0.75}}}})");
+  CHECK_THAT(svchain::report_table(report),
+             Contains("modelled, from 7.03 s on: 30.00 frames/s, 0 dropped, DSP1 3.0 %, DSP2 75.0 %\n"));
+}

@@ -55,6 +55,43 @@ TEST_CASE("every fault of a SoC file is reported") {
   check_fault(faults, "s.json:4:35: error: /roles/DSP2", {"a role cannot be named \"DSP2\""});
 }
 
+TEST_CASE("the shipped SoCs say what synthesis, photometric alignment and IPC cost, and where that is from") {
+  for (const std::string name : {"tda2x", "tda2eco", "tda3x"}) {
+    const CostModel costs = shipped(name).costs;
+    const CallCost& synthesis = costs.call("C66x", "synthesis");
+    CHECK(synthesis.per_output_px * 880 * 1080 * 30 == Approx(0.75 * 600e6).epsilon(1e-4));
+    CHECK(synthesis.basis.starts_with("the paper"));
+    const CallCost& photometric = costs.call("C66x", "photometric_alignment");
+    CHECK(photometric.per_output_px * 880 * 1080 * 30 == Approx(0.03 * 600e6).epsilon(1e-4));
+    CHECK(costs.call("C66x", "geometric_alignment").per_result == 5 * 600e6);
+    CHECK(costs.hop("M4", "C66x").latency_us == 77);
+    CHECK(costs.hop("C66x", "C66x").basis == "SDK data sheet");
+    CHECK(costs.memory.basis == "assumed");
+  }
+}
+
+TEST_CASE("what a SoC file has no figure for costs a default that says so") {
+  const CostModel costs = shipped("tda2x").costs;
+  CHECK_FALSE(costs.has_call("EVE", "synthesis"));
+  CHECK(&costs.call("EVE", "synthesis") == &CostModel::kCallWithoutFigure);
+  CHECK(&costs.hop("EVE", "SGX") == &CostModel::kIpcWithoutFigure);
+}
+
+TEST_CASE("every fault among the costs is reported") {
+  const auto faults = faults_of(
+      R"({"name":"s","cores":{"A":{"kind":"M4"}},"costs":{"cycle":{},
+"cycles":{"M4":{"dup":{"per_cal":1,"per_call":-1}}},
+"ipc":{"M4 to C66x":{"latency_us":1},"M4 -> EVE":{}},
+"memory":{"bytes_per_s":0}}})");
+  CHECK(faults.size() == 6);
+  check_fault(faults, "s.json:1:58: error: /costs/cycle", {"unknown key", "did you mean \"cycles\"?"});
+  check_fault(faults, "s.json:2:34: error: /costs/cycles/M4/dup/per_cal", {"did you mean \"per_call\"?"});
+  check_fault(faults, "s.json:2:47: error: /costs/cycles/M4/dup/per_call", {"0 to 1e+15 cycles, got -1"});
+  check_fault(faults, "", {"expected two kinds of cores, as in \"M4 -> C66x\", got \"M4 to C66x\""});
+  check_fault(faults, "", {"\"latency_us\" is missing"});
+  check_fault(faults, "", {"bytes/s, got 0"});
+}
+
 TEST_CASE("a SoC needs a name and cores") {
   check_fault(faults_of("{}"), "", {"\"name\" is missing"});
   check_fault(faults_of("{}"), "", {"\"cores\" is missing"});

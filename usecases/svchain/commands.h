@@ -16,6 +16,7 @@ struct RunOptions {
   UseCaseRequest use_case;
   std::optional<std::string> frames, fps, seed;
   std::string clock = "steady";
+  bool no_pixels = false;
   std::optional<std::string> report;   // a file, or "-" for stdout
   std::optional<std::string> trace;    // a file
   std::optional<std::string> control;  // a file or pipe, or "-" for stdin
@@ -32,6 +33,13 @@ struct GraphOptions {
   std::string format = "dot";
 };
 int graph(const GraphOptions& options);
+
+struct ExploreOptions {
+  UseCaseRequest use_case;
+  std::optional<std::string> fps;
+  std::optional<std::string> output;  // the best placement, as a use case
+};
+int explore(const ExploreOptions& options);
 
 int schema(const std::string& kind);
 

@@ -53,8 +53,11 @@ void add_run_options(CLI::App& app, RunOptions& run) {
          "commands to links while running, a line each: LINK COMMAND [JSON]; a file, a named pipe, or "
          "- for stdin")
       ->type_name("FILE");
-  app.add_option("--clock", run.clock, "steady, or virtual: modelled time, one thread, every run the same")
+  app.add_option("--clock", run.clock,
+                 "steady, or virtual: modelled time, as the SoC would take it, every run the same")
       ->type_name("CLOCK");
+  app.add_flag("--no-pixels", run.no_pixels,
+               "with the virtual clock: timing alone, thousands of times faster than real time");
   app.add_option("--seed", run.seed, "with the virtual clock: picks the order in which the cores take turns")
       ->type_name("N");
 }
@@ -89,6 +92,22 @@ void add_graph(CLI::App& app, Command& command) {
       ->type_name("FILE.so")
       ->allow_extra_args(false);
   graph_app->callback([options, &command] { command = [options] { return graph(*options); }; });
+}
+
+void add_explore(CLI::App& app, Command& command) {
+  auto* explore_app = app.add_subcommand(
+      "explore", "tries all placements of a use case's algorithms on all SoCs in modelled time, best first");
+  const auto options = std::make_shared<ExploreOptions>();
+  explore_app->add_option("USECASE", options->use_case.use_case, "a name or a file")
+      ->required()
+      ->type_name("NAME|FILE");
+  explore_app->add_option("--fps", options->fps, "the rate to hold (30)")->type_name("F");
+  explore_app->add_option("--output", options->output, "writes the best as a use case")
+      ->type_name("BEST.json");
+  explore_app->add_option("--set", options->use_case.sets, "as for a run")
+      ->type_name("LINK.PARAM=VALUE")
+      ->allow_extra_args(false);
+  explore_app->callback([options, &command] { command = [options] { return explore(*options); }; });
 }
 
 void add_schema(CLI::App& app, Command& command) {
@@ -293,6 +312,7 @@ int obey(int argc, char** argv) {
   add_compare(app, command);
   add_charts(app, command);
   add_timeline(app, command);
+  add_explore(app, command);
   app.require_subcommand(0, 1);
   for (CLI::App* sub : app.get_subcommands({})) sub->allow_extras();
 

@@ -95,6 +95,21 @@ Faults rig_faults(const UseCase& use_case) {
            "missing: frames from \"" + input + "\" need a rig file that says how the cameras look"}};
 }
 
+Result<RequestedUseCase> read_requested(const UseCaseRequest& request) {
+  auto catalogue = std::make_unique<Catalogue>();
+  add_builtin_links(*catalogue);
+  Faults faults;
+  auto use_case = read(request, *catalogue, faults);
+  if (!faults.empty() || !use_case) return tl::unexpected(std::move(faults));
+  return RequestedUseCase{std::move(catalogue), std::move(*use_case)};
+}
+
+Result<Soc> shipped_soc(const std::string& name) {
+  const auto file = find_file(kSocs, name);
+  if (!file) return tl::unexpected(file.error());
+  return read_soc(*file);
+}
+
 Result<PlannedUseCase> plan_use_case(const UseCaseRequest& request) {
   PlannedUseCase planned{std::make_unique<Catalogue>(), {}};
   add_builtin_links(*planned.catalogue);

@@ -29,6 +29,14 @@ struct PlannedUseCase {
 
 Result<PlannedUseCase> plan_use_case(const UseCaseRequest& request);
 
+/// A use case not yet planned, for who places it himself.
+struct RequestedUseCase {
+  std::unique_ptr<Catalogue> catalogue;
+  UseCase use_case;
+};
+Result<RequestedUseCase> read_requested(const UseCaseRequest& request);
+Result<Soc> shipped_soc(const std::string& name);
+
 /// What is wrong with the rig: a bad file, or none although frames from outside need one. Where a plan was
 /// made this is left to the links and to whoever wants to know.
 Faults rig_faults(const UseCase& use_case);

@@ -59,6 +59,13 @@ void ask_for_sums(Plan& plan) {
   }
 }
 
+/// What there is to deliver without pixels.
+Faults output_faults(const UseCase& use_case, const Pace& pace) {
+  const std::string output = setting_text(use_case, "output");
+  if (pace.pixels || output.empty() || output == "none") return {};
+  return {{"--no-pixels", {}, {}, "there is nothing to write to \"" + output + "\", expected --output none"}};
+}
+
 /// A report of a failed run says so, and counts what it came to.
 Json report_of(const Chain& chain) {
   Json report = chain.report();
@@ -88,6 +95,7 @@ int run(const RunOptions& options) {
     spdlog::warn("--seed picks the order of a virtual run: without --clock virtual it does nothing");
   }
   const Pace pace = pace_for(setting_text(planned->plan.use_case, "input"), numbers, faults);
+  append(faults, output_faults(planned->plan.use_case, pace));
   if (options.report) ask_for_sums(planned->plan);
 
   HostLoop host;
@@ -96,6 +104,7 @@ int run(const RunOptions& options) {
   chain_options.pace = pace;
   chain_options.execution = pace.virtual_clock ? Execution::kByHand : Execution::kThreads;
   if (options.trace) chain_options.trace_events = kUsualTraceEvents;
+  if (pace.virtual_clock) chain_options.costs = planned->plan.soc.costs;
   chain_options.on_finished = [&host] { host.finish(); };
   Chain chain(std::move(planned->plan), std::move(chain_options));
   configure(chain, faults);

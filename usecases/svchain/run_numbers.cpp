@@ -32,11 +32,15 @@ std::optional<double> read_number(const std::string& option, const std::optional
   return read<double>(option, text, "a number", range, faults);
 }
 
+std::optional<double> read_fps(const std::optional<std::string>& text, Faults& faults) {
+  return read_number("--fps", text, {0.01, 1000, "frames/s"}, faults);
+}
+
 RunNumbers read_numbers(const RunOptions& options, Faults& faults) {
   RunNumbers numbers;
   Pace& pace = numbers.pace;
   pace.frames = read_whole_number("--frames", options.frames, {1, 1e12}, faults);
-  numbers.fps = read_number("--fps", options.fps, {0.01, 1000, "frames/s"}, faults);
+  numbers.fps = read_fps(options.fps, faults);
   pace.real_time = numbers.fps.has_value();
   pace.fps = numbers.fps.value_or(pace.fps);
   numbers.order_seed = read_whole_number("--seed", options.seed, {0, 1.8e19}, faults);
@@ -47,6 +51,11 @@ RunNumbers read_numbers(const RunOptions& options, Faults& faults) {
                       {},
                       "expected steady or virtual, got \"" + options.clock + "\"" +
                           did_you_mean(options.clock, {"steady", "virtual"})});
+  }
+  pace.pixels = !options.no_pixels;
+  if (!pace.pixels && !pace.virtual_clock) {
+    faults.push_back(
+        {"--no-pixels", {}, {}, "expected --clock virtual with it: only modelled time needs no pixels"});
   }
   return numbers;
 }

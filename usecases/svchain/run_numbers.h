@@ -22,6 +22,9 @@ std::optional<uint64_t> read_whole_number(const std::string& option, const std::
 std::optional<double> read_number(const std::string& option, const std::optional<std::string>& text,
                                   const json::Range& range, Faults& faults);
 
+/// A rate in frames/s.
+std::optional<double> read_fps(const std::optional<std::string>& text, Faults& faults);
+
 /// Bad ones become faults.
 RunNumbers read_numbers(const RunOptions& options, Faults& faults);
 
