@@ -184,9 +184,9 @@ const ipc::Message* Edge::oldest() {
   return nullptr;
 }
 
-const ipc::Message* Edge::front() {
+const ipc::Message* Edge::front_elsewhere() {
   const ipc::Message* found = oldest();
-  if (way_ <= Way::kModelled) return found;
+  if (way_ == Way::kModelled) return found;
   if (!found) {
     waits_->message.set();
     found = oldest();

@@ -76,7 +76,7 @@ class Edge {
   // Consumer:
   /// The oldest message, which stays where it is until pop(). Null if there is none: then the consumer's link
   /// will be looked at when one comes.
-  const ipc::Message* front();
+  const ipc::Message* front() { return way_ == Way::kLocal ? local_.front() : front_elsewhere(); }
   /// Takes the front away, at `now_ns` by the chain's clock.
   void pop(int64_t now_ns);
   /// For a core that spins: a message has come since front() found none. True only once.
@@ -118,6 +118,7 @@ class Edge {
   void publish_staged(int64_t now_ns);
   void tell_of_message();
   const ipc::Message* oldest();
+  const ipc::Message* front_elsewhere();
 
   std::string name_;
   int depth_;
