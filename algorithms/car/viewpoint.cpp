@@ -19,4 +19,10 @@ Viewpoint look_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, dou
   return viewpoint;
 }
 
+Viewpoint seen_from(const bowl::Viewpoint& viewpoint, const Eigen::Vector2i& size_px) {
+  const bowl::Perspective perspective(viewpoint, size_px);
+  return {perspective.vehicle_from_picture().transpose(), perspective.eye(), perspective.focal_px(),
+          (size_px.cast<double>().array() - 1) / 2, size_px};
+}
+
 }  // namespace svchain::car

@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "algorithms/bowl/viewpoint.h"
+
 namespace svchain::car {
 
 struct Viewpoint {
@@ -28,5 +30,8 @@ struct Viewpoint {
 /// Upright, `target` in the picture's middle. Looking straight down, the vehicle's front is up.
 Viewpoint look_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, double focal_px,
                   const Eigen::Vector2i& size_px);
+
+/// As the bowl around the car is shown. `viewpoint` is free of faults.
+Viewpoint seen_from(const bowl::Viewpoint& viewpoint, const Eigen::Vector2i& size_px);
 
 }  // namespace svchain::car

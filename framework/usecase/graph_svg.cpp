@@ -5,6 +5,7 @@
 #include "framework/usecase/entries.h"
 #include "framework/usecase/graph_layout.h"
 #include "framework/usecase/palette.h"
+#include "framework/usecase/svg_text.h"
 
 namespace svchain {
 
@@ -13,23 +14,6 @@ namespace {
 constexpr double kPillHeight = 15;
 const std::string kEdgeColour = "#5b6470";
 const std::string kFeedbackColour = "#c0392b";
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '&')
-      out += "&amp;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
 
 /// Tenths of a pixel are enough, and keep the file readable.
 std::string at(double v) {
@@ -73,7 +57,7 @@ class Svg {
             const std::string& what, bool bold = false) {
     out_ << "<text x=\"" << at(x) << "\" y=\"" << at(y) << "\" font-size=\"" << size << "\" fill=\"" << colour
          << "\" text-anchor=\"" << anchor << "\"" << (bold ? " font-weight=\"bold\"" : "") << ">"
-         << escaped(what) << "</text>\n";
+         << svg_text(what) << "</text>\n";
   }
 
   void rectangle(double x, double y, double width, double height, double radius, const std::string& fill,
@@ -143,7 +127,7 @@ class Svg {
          << (edge.ipc   ? ""
              : feedback ? " marker-end=\"url(#arrow_feedback)\""
                         : " marker-end=\"url(#arrow)\"")
-         << "><title>" << escaped(edge.entry.name()) << ", depth " << edge.entry.depth << ", "
+         << "><title>" << svg_text(edge.entry.name()) << ", depth " << edge.entry.depth << ", "
          << kPolicyNames[static_cast<size_t>(edge.entry.policy)] << "</title></path>\n";
   }
 

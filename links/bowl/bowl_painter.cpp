@@ -9,17 +9,6 @@ namespace {
 
 constexpr int kPartsPerCpu = 4;  // they differ in cost
 
-car::Viewpoint pinhole_of(const bowl::Viewpoint& viewpoint, const Eigen::Vector2i& size_px) {
-  const bowl::Perspective perspective(viewpoint, size_px);
-  car::Viewpoint pinhole;
-  pinhole.camera_from_vehicle = perspective.vehicle_from_picture().transpose();
-  pinhole.eye = perspective.eye();
-  pinhole.focal_px = perspective.focal_px();
-  pinhole.centre_px = (size_px.cast<double>().array() - 1) / 2;
-  pinhole.size_px = size_px;
-  return pinhole;
-}
-
 }  // namespace
 
 BowlPainter::BowlPainter(const Eigen::Vector2i& size_px)
@@ -53,7 +42,7 @@ void BowlPainter::look_from(const bowl::Viewpoint& viewpoint, Call& call) {
   if (lut_ && viewpoint == shown_) return;
   const int parts = std::min(call.cpus() * kPartsPerCpu, bowl::ViewpointLut::kMostParts);
   maker_->begin(viewpoint, size_px_, memory_);
-  if (car_) car_->begin(pinhole_of(viewpoint, size_px_), car_opacity_);
+  if (car_) car_->begin(car::seen_from(viewpoint, size_px_), car_opacity_);
   call.parallel(parts, [&](int i) { maker_->make_nodes(i, parts); });
   call.parallel(parts, [&](int i) { maker_->write_blocks(i, parts); });
   if (car_) call.parallel(parts, [&](int i) { car_->draw(i, parts); });

@@ -22,17 +22,6 @@ scene::Scene parking_scene() {
   return *scene;
 }
 
-car::Viewpoint pinhole_of(const bowl::Viewpoint& viewpoint) {
-  const bowl::Perspective perspective(viewpoint, kPicture);
-  car::Viewpoint pinhole;
-  pinhole.camera_from_vehicle = perspective.vehicle_from_picture().transpose();
-  pinhole.eye = perspective.eye();
-  pinhole.focal_px = perspective.focal_px();
-  pinhole.centre_px = (kPicture.cast<double>().array() - 1) / 2;
-  pinhole.size_px = kPicture;
-  return pinhole;
-}
-
 }  // namespace
 
 Parking::Parking()
@@ -108,7 +97,7 @@ cv::Mat expected(const Frames& frames, const synthesis::ToneMapping& tone_mappin
   synthesize(lut, frames.pictures, tone_mapping, colour::bgr_picture(picture), nullptr);
   if (car_opacity <= 0) return picture;
   car::CarPicture car(world.car, world.rig.vehicle);
-  car.render(pinhole_of(viewpoint), car_opacity);
+  car.render(car::seen_from(viewpoint, kPicture), car_opacity);
   car.blend_over(picture);
   if (car_at) *car_at = car.rectangle();
   return picture;
@@ -116,19 +105,6 @@ cv::Mat expected(const Frames& frames, const synthesis::ToneMapping& tone_mappin
 
 double mean_difference(const cv::Mat& a, const cv::Mat& b) {
   return cv::norm(a, b, cv::NORM_L1) / static_cast<double>(3 * a.total());
-}
-
-bool has_gl() {
-  static const bool has = [] {
-    try {
-      const gl::GlContext context;
-      return true;
-    } catch (const std::runtime_error& error) {
-      WARN("skipped: " << error.what());
-      return false;
-    }
-  }();
-  return has;
 }
 
 }  // namespace svchain::testing

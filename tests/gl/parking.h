@@ -12,6 +12,7 @@
 #include "algorithms/gl/bowl_renderer.h"
 #include "algorithms/synthesis/tone_mapping.h"
 #include "tests/bowl/owned_mesh.h"
+#include "tests/has_gl.h"
 
 namespace svchain::testing {
 
@@ -51,8 +52,5 @@ cv::Mat expected(const Frames& frames, const synthesis::ToneMapping& tone_mappin
 
 /// Of all channels, in levels.
 double mean_difference(const cv::Mat& a, const cv::Mat& b);
-
-/// Whether there is EGL here at all; says so where there is not.
-bool has_gl();
 
 }  // namespace svchain::testing

@@ -6,9 +6,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "algorithms/gl/gl_context.h"
 #include "framework/chain/run.h"
 #include "tests/catch.h"
+#include "tests/has_gl.h"
 #include "tests/integration/surround_view.h"
 
 using namespace svchain;
@@ -92,16 +92,6 @@ std::string faults_of(const SurroundView& world, const std::string& use_case, co
   std::string all;
   for (const Fault& fault : configured.error()) all += fault.text() + "\n";
   return all;
-}
-
-bool has_gl() {
-  try {
-    const gl::GlContext context;
-    return true;
-  } catch (const std::runtime_error& error) {
-    WARN("skipped: " << error.what());
-    return false;
-  }
 }
 
 }  // namespace

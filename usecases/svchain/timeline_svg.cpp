@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "framework/usecase/palette.h"
+#include "framework/usecase/svg_text.h"
 
 namespace svchain::program {
 
@@ -15,23 +16,6 @@ constexpr double kMargin = 20, kNames = 76, kPlot = 1400;
 constexpr double kHead = 64, kLane = 34, kGap = 20, kAxis = 40, kLegendLine = 22;
 constexpr double kLetter = 5.6;  // of 10 px, on the average
 const std::string kInk = "#222b36", kGrey = "#6a7480", kArrow = "#5b6470", kRed = "#c0392b";
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '&')
-      out += "&amp;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
 
 /// Hundredths of a pixel are enough.
 std::string at(double v) {
@@ -99,7 +83,7 @@ class Picture {
              const std::string& what, bool bold = false) {
     out_ << "<text x=\"" << at(x) << "\" y=\"" << at(y) << "\" font-size=\"" << size << "\" fill=\"" << colour
          << "\" text-anchor=\"" << anchor << "\"" << (bold ? " font-weight=\"bold\"" : "") << ">"
-         << escaped(what) << "</text>\n";
+         << svg_text(what) << "</text>\n";
   }
 
   void title() {
@@ -144,7 +128,7 @@ class Picture {
     const std::string number = slice.frame ? std::to_string(*slice.frame) : "";
     out_ << "<rect x=\"" << at(x) << "\" y=\"" << at(top) << "\" width=\"" << at(width) << "\" height=\""
          << at(kLane) << "\" fill=\"" << colour.box << "\" stroke=\"" << colour.edge << "\" stroke-width=\""
-         << (width < 3 ? "0.5" : "1") << "\"><title>" << escaped(slice.link)
+         << (width < 3 ? "0.5" : "1") << "\"><title>" << svg_text(slice.link)
          << (number.empty() ? "" : ", frame ") << number << ": " << in_ms(slice.begin_ms, 3) << " to "
          << in_ms(slice.end_ms, 3) << " ms</title></rect>\n";
     const auto fits = [width](const std::string& what) {
@@ -171,13 +155,13 @@ class Picture {
          << " " << at(to_x) << "," << at(to_y - bend) << " " << at(to_x) << "," << at(to_y)
          << "\" fill=\"none\" stroke=\"" << kArrow
          << "\" stroke-width=\"0.9\" stroke-opacity=\"0.75\" marker-end=\"url(#arrow)\"><title>"
-         << escaped(arrow.edge) << "</title></path>\n";
+         << svg_text(arrow.edge) << "</title></path>\n";
   }
 
   void mark(const TraceDrop& drop) {
     if (!shows(drop.where.at_ms, drop.where.at_ms)) return;
     out_ << "<path d=\"M" << at(x_of(drop.where.at_ms)) << "," << at(top_of(drop.where.track) - 1)
-         << " l-4,-8 h8 z\" fill=\"" << kRed << "\"><title>" << escaped(drop.reason) << ", "
+         << " l-4,-8 h8 z\" fill=\"" << kRed << "\"><title>" << svg_text(drop.reason) << ", "
          << in_ms(drop.where.at_ms, 3) << " ms</title></path>\n";
   }
 

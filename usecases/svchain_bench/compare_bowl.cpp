@@ -29,16 +29,7 @@ struct ChaseView {
     draw_car();
   }
   void make_lut() { lut_bytes = maker.build(viewpoint, kPicture, memory); }
-  void draw_car() {
-    const bowl::Perspective perspective(viewpoint, kPicture);
-    car::Viewpoint pinhole;
-    pinhole.camera_from_vehicle = perspective.vehicle_from_picture().transpose();
-    pinhole.eye = perspective.eye();
-    pinhole.focal_px = perspective.focal_px();
-    pinhole.centre_px = (kPicture.cast<double>().array() - 1) / 2;
-    pinhole.size_px = kPicture;
-    car.render(pinhole);
-  }
+  void draw_car() { car.render(car::seen_from(viewpoint, kPicture)); }
   synthesis::GeometricLut lut() const { return synthesis::GeometricLut(std::span(memory).first(lut_bytes)); }
 
   bowl::BowlSurface surface;

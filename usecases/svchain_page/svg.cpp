@@ -2,32 +2,11 @@
 
 #include <cmath>
 
+#include "framework/usecase/svg_text.h"
+
 namespace svchain::page {
 
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '&':
-        out += "&amp;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 /// Tenths of a pixel are enough, and keep the file readable.
 std::string px(double v) {
@@ -61,7 +40,7 @@ void Svg::text(const Point& at, const std::string& what, const TextStyle& style)
        << "\" fill=\"" << style.colour << "\" text-anchor=\"" << name_of(style.anchor) << "\""
        << (style.bold ? " font-weight=\"bold\"" : "");
   if (style.upwards) out_ << " transform=\"rotate(-90 " << px(at.x) << " " << px(at.y) << ")\"";
-  out_ << ">" << escaped(what) << "</text>\n";
+  out_ << ">" << svg_text(what) << "</text>\n";
 }
 
 void Svg::rectangle(const Point& corner, double width, double height, const std::string& fill) {
