@@ -27,10 +27,6 @@ struct Viewpoint {
   }
 };
 
-/// Upright, `target` in the picture's middle. Looking straight down, the vehicle's front is up.
-Viewpoint look_at(const Eigen::Vector3d& eye, const Eigen::Vector3d& target, double focal_px,
-                  const Eigen::Vector2i& size_px);
-
 /// As the bowl around the car is shown. `viewpoint` is free of faults.
 Viewpoint seen_from(const bowl::Viewpoint& viewpoint, const Eigen::Vector2i& size_px);
 

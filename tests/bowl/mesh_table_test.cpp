@@ -6,11 +6,11 @@
 #include <random>
 #include <set>
 
-#include "algorithms/bowl/mesh_accuracy.h"
 #include "algorithms/bowl/pair_sights.h"
 #include "algorithms/synthesis/camera_shares.h"
 #include "tests/allocation_count.h"
 #include "tests/bowl/bowls.h"
+#include "tests/bowl/mesh_accuracy.h"
 #include "tests/bowl/owned_mesh.h"
 #include "tests/bowl/triangle_cover.h"
 #include "tests/catch.h"

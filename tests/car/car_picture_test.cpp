@@ -4,6 +4,7 @@
 
 #include "algorithms/car/default_car.h"
 #include "tests/allocation_count.h"
+#include "tests/car/look_at.h"
 #include "tests/car/small_models.h"
 #include "tests/catch.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "algorithms/car/car_picture.h"
+#include "tests/car/look_at.h"
 #include "tests/catch.h"
 
 using namespace svchain;

@@ -1,4 +1,4 @@
-#include "algorithms/bowl/mesh_accuracy.h"
+#include "tests/bowl/mesh_accuracy.h"
 
 #include <algorithm>
 #include <cmath>
