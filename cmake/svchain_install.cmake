@@ -9,7 +9,7 @@ install(DIRECTORY configs DESTINATION ${CMAKE_INSTALL_DATADIR}/svchain)
 
 install(TARGETS svchain_ipc svchain_json svchain_framework EXPORT svchain ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY ipc framework DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/svchain FILES_MATCHING PATTERN "*.h"
-  REGEX "/usecase/(entries|graph.*|palette|place|plan_steps)\\.h$|/chain/(runtime|link_configuration)\\.h$" EXCLUDE)  # internal
+  REGEX "/usecase/(entries|graph.*|palette|place|plan_steps)\\.h$|/fault/(fault_places|random_faults)\\.h$|/chain/(runtime|link_configuration)\\.h$" EXCLUDE)  # internal
 install(DIRECTORY algorithms/json DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/svchain/algorithms FILES_MATCHING PATTERN "*.h")
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/svchain)

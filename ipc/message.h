@@ -29,7 +29,7 @@ struct Message {
   int64_t sent_ns = 0;      // by the chain's clock, for hop time
   MessageKind kind = MessageKind::kFrame;
   uint8_t count = 0;  // buffers carried; a place in a set whose buffer is missing has kNoBuffer
-  std::array<uint8_t, 2> reserved{};
+  uint16_t lost_at = 0;  // of an absence: the place that has counted the loss, if it has said so
   uint32_t number = 0;  // where some are taken back: which message of its edge, from 1
   std::array<BufferId, kMaxBuffers> buffers{};
   std::array<int64_t, kMaxBuffers> timestamp_ns{};  // each buffer's own source time

@@ -57,6 +57,7 @@ class NullSource final : public Link {
     if (!set) return;
     call.captured();
     if (!pictures_) pictures_ = make_pictures(call);
+    if (!pictures_) return call.drop("downstream_full");
     Frame frame = pictures_.share();
     frame.set_sequence(*set);
     frame.set_captured_ns(call.now_ns());
@@ -70,6 +71,7 @@ class NullSource final : public Link {
  private:
   Frame make_pictures(Call& call) const {
     Draft draft = call.create(0);
+    if (!draft) return {};
     for (int buffer = 0; pixels_ && buffer < buffers_; ++buffer)
       draw(draft.bytes(buffer), draft.format(buffer), buffer);
     return std::move(draft).publish();

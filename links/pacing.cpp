@@ -17,7 +17,9 @@ std::optional<uint64_t> Pacing::due(Call& call, std::span<const int> outputs) {
     call.end();
     return std::nullopt;
   }
-  if (!start_ns_) start_ns_ = call.now_ns();
+  if (!start_ns_) start_ns_ = last_ns_ = call.now_ns();
+  if (call.now_ns() < last_ns_) *start_ns_ -= last_ns_ - call.now_ns();
+  last_ns_ = call.now_ns();
   if (timed_ && call.now_ns() < *start_ns_ + due_ns(next_)) {
     call.wake_at(*start_ns_ + due_ns(next_));
     return std::nullopt;

@@ -1,7 +1,8 @@
 #pragma once
 // When a source hands out which set. Lossless runs take every set, as soon as there is room; in real time set
-// n is due n / fps after the start, and what is not handed out then is counted and gone. Belongs to its
-// link's core; allocates nothing.
+// n is due n / fps after the start, and what is not handed out then is counted and gone. A clock that is set
+// back takes the start along; sets that it skips when it is set forward are late ones. Belongs to its link's
+// core; allocates nothing.
 
 #include <cstdint>
 #include <optional>
@@ -37,6 +38,7 @@ class Pacing {
   bool timed_ = false;
   uint64_t next_ = 0;
   std::optional<int64_t> start_ns_;
+  int64_t last_ns_ = 0;  // of the last call
 };
 
 }  // namespace svchain

@@ -4,8 +4,9 @@
 // left out. One is cut while, at the middles of its edges or its own, a texture coordinate interpolated from
 // its corners is further off than the tolerance, or a weight than a few 255ths; and while it lies across the
 // border of a picture, so that what is left out or shown by one camera ends near that border. That goes down
-// to a smallest size only: about the vehicle's corners all directions meet, and no triangle is small enough
-// there. Builds in its constructor; after that immutable.
+// to a smallest size only, and there are places where no triangle is small enough: about the vehicle's
+// corners all directions meet, and where the pictures of both cameras end, high up on a steep wall, all
+// weights do. Builds in its constructor; after that immutable.
 
 #include <array>
 #include <unordered_map>

@@ -114,7 +114,7 @@ void BowlRenderer::set_car(const car::CarModel& model, const geometry::Vehicle& 
 }
 
 /// Texts are made only where they are thrown.
-void BowlRenderer::check(std::span<const Picture> frames, const Picture& bgr) const {
+void BowlRenderer::check(std::span<const Picture> frames) const {
   if (!parts_->image_size_px) refuse("no mesh table yet");
   if (frames.size() != kCameraCount) refuse("expected four frames, got " + std::to_string(frames.size()));
   for (size_t c = 0; c < kCameraCount; ++c) {
@@ -126,6 +126,9 @@ void BowlRenderer::check(std::span<const Picture> frames, const Picture& bgr) co
     if (!has_whole_groups(frames[c].format, got[0], got[1]))
       refuse("the frame of camera " + std::to_string(c) + " has half a group of chroma");
   }
+}
+
+void BowlRenderer::check(const Picture& bgr) const {
   const Size got = {bgr.width_px, bgr.height_px}, expected = {size_px_.x(), size_px_.y()};
   if (bgr.empty() || bgr.format != PixelFormat::kBgr8 || got != expected)
     refuse("expected a BGR picture of " + text(expected) + " to draw into, got " + text(got));
@@ -133,15 +136,36 @@ void BowlRenderer::check(std::span<const Picture> frames, const Picture& bgr) co
 
 void BowlRenderer::render(std::span<const Picture> frames, const synthesis::ToneMapping& tone_mapping,
                           const bowl::Viewpoint& viewpoint, float car_opacity, const Picture& bgr) {
-  check(frames, bgr);
+  check(bgr);
+  const GlContext::Use use(context_);
+  upload(frames);
+  draw(tone_mapping, viewpoint, car_opacity);
+  read_back(bgr);
+}
+
+void BowlRenderer::upload(std::span<const Picture> frames) {
+  check(frames);
+  const GlContext::Use use(context_);
+  parts_->cameras.upload(frames);
+}
+
+void BowlRenderer::draw(const synthesis::ToneMapping& tone_mapping, const bowl::Viewpoint& viewpoint,
+                        float car_opacity) {
+  if (!parts_->image_size_px) refuse("no mesh table yet");
   const GlContext::Use use(context_);
   Parts& parts = *parts_;
   const bool with_car = parts.car && car_opacity > 0;
   if (with_car) parts.car->show_from(viewpoint, size_px_);
   glBindFramebuffer(GL_FRAMEBUFFER, parts.picture.name());
-  parts.cameras.upload(frames);
   parts.bowl.draw(parts.cameras, tone_mapping, viewpoint, size_px_);
   if (with_car) parts.car->lay_over(std::min(car_opacity, 1.0f));
+}
+
+void BowlRenderer::read_back(const Picture& bgr) {
+  check(bgr);
+  const GlContext::Use use(context_);
+  Parts& parts = *parts_;
+  glBindFramebuffer(GL_FRAMEBUFFER, parts.picture.name());
   glReadPixels(0, 0, size_px_.x(), size_px_.y(), GL_RGBA, GL_UNSIGNED_BYTE, parts.read_back.data());
   const GLenum error = glGetError();
   context_.require_not_lost();

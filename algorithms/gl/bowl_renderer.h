@@ -40,10 +40,17 @@ class BowlRenderer {
   void render(std::span<const colour::Picture> frames, const synthesis::ToneMapping& tone_mapping,
               const bowl::Viewpoint& viewpoint, float car_opacity, const colour::Picture& bgr);
 
+  /// render() is these three in a row; apart they are for who measures what each of them takes. Drawing may
+  /// go on after draw() has returned; what was refused there is told by read_back().
+  void upload(std::span<const colour::Picture> frames);
+  void draw(const synthesis::ToneMapping& tone_mapping, const bowl::Viewpoint& viewpoint, float car_opacity);
+  void read_back(const colour::Picture& bgr);
+
  private:
   struct Parts;
 
-  void check(std::span<const colour::Picture> frames, const colour::Picture& bgr) const;
+  void check(std::span<const colour::Picture> frames) const;
+  void check(const colour::Picture& bgr) const;
 
   const GlContext& context_;
   Eigen::Vector2i size_px_;

@@ -46,8 +46,8 @@ class CameraTextures {
   Texture black_;
   std::array<std::optional<Textures>, kCameraCount> textures_;
   std::array<Frame, kCameraCount> frames_;
-  std::array<bool, kCameraCount> empty_ = {};
-  std::vector<uint32_t> four_channels_;  // of a BGR frame
+  std::array<bool, kCameraCount> empty_ = {true, true, true, true};  // before the first upload
+  std::vector<uint32_t> four_channels_;                              // of a BGR frame
 };
 
 }  // namespace svchain::gl

@@ -23,11 +23,18 @@ class Edge final : public svchain::Link {
   void configure(svchain::Configuration& configuration) override {
     configuration.output(0, configuration.input(0));
     edge_share_ = static_cast<int>(configuration.parameters().number("strength") * 256 + 0.5);
+    pixels_ = configuration.pace().pixels;
   }
 
   void process(svchain::Call& call) override {
     const svchain::Frame& in = call.input(0);
     svchain::Draft out = call.create(0);
+    if (pixels_) draw(in, out);
+    call.send(0, std::move(out));
+  }
+
+ private:
+  void draw(const svchain::Frame& in, svchain::Draft& out) const {
     const auto* from = reinterpret_cast<const uint8_t*>(in.bytes().data());
     auto* to = reinterpret_cast<uint8_t*>(out.bytes().data());
     const int width = in.format().width_px, height = in.format().height_px, pitch = in.format().pitch_bytes;
@@ -45,11 +52,10 @@ class Edge final : public svchain::Link {
         }
       }
     }
-    call.send(0, std::move(out));
   }
 
- private:
   int edge_share_ = 0;  // of 256
+  bool pixels_ = true;  // false: only the timing counts, nothing is to be read or written
 };
 
 }  // namespace

@@ -12,7 +12,8 @@ namespace {
 using ipc::Doorbell;
 using ipc::Ring;
 
-/// Buffers that an edge and everything behind it can hold at a time.
+}  // namespace
+
 size_t held_behind(const Plan& plan, const std::vector<LinkSetup>& setups, int edge_index) {
   if (edge_index < 0) return 0;
   const PlannedEdge& edge = plan.edges[static_cast<size_t>(edge_index)];
@@ -29,6 +30,8 @@ size_t held_behind(const Plan& plan, const std::vector<LinkSetup>& setups, int e
   }
   return count;
 }
+
+namespace {
 
 void build_cores(const Plan& plan, Chain::Runtime& r) {
   const size_t count = plan.cores.size();
@@ -74,6 +77,9 @@ std::vector<std::vector<std::vector<Pool*>>> build_pools(const Plan& plan,
         auto need = need_of(format);
         if (need == needs.end()) need = needs.insert(needs.end(), {format, 0, outputs[port].name, nullptr});
         need->buffers += buffers_needed(plan, setups, static_cast<int>(l), static_cast<int>(port));
+        const int edge = link.output_edges[port];
+        if (r.faults && edge >= 0 && r.faults->any(FaultKind::kFreeze, static_cast<size_t>(edge)))
+          ++need->buffers;  // the picture that it freezes at
       }
     }
     const auto& core = r.cores[static_cast<size_t>(link.core)];
@@ -135,6 +141,13 @@ Edge::End end_of(const Plan& plan, Chain::Runtime& r, int link) {
           r.holders[l].get()};
 }
 
+/// An edge into a kState input: what it carries stays in force until the next.
+bool carries_state(const Plan& plan, const PlannedEdge& edge) {
+  const PlannedLink& consumer = plan.links[static_cast<size_t>(edge.to_link)];
+  return consumer.description.inputs[static_cast<size_t>(edge.to_port)].intake == Intake::kState &&
+         !edge.entry.feedback;
+}
+
 /// A recorder for every core, all of one size.
 void build_recorders(const Plan& plan, size_t events, Chain::Runtime& r) {
   if (events == 0) return;
@@ -170,7 +183,9 @@ std::unique_ptr<Chain::Runtime> build_runtime(Plan& plan, const std::vector<Link
     r.clock = std::make_unique<SteadyClock>();
   }
   build_cores(plan, r);
+  if (options.faults) r.faults = std::make_unique<ChainFaults>(*options.faults, plan, options.pace.fps);
   const auto pools = build_pools(plan, setups, r);
+  if (r.faults) build_spare_pools(plan, setups, r);
   build_return_paths(r);
   for (size_t l = 0; l < plan.links.size(); ++l) {
     r.holders.push_back(
@@ -190,6 +205,7 @@ std::unique_ptr<Chain::Runtime> build_runtime(Plan& plan, const std::vector<Link
                                  link.description, link.entry.on_error, *r.holders[l], *r.clock, hooks));
     Runner& runner = *r.runners.back();
     runner.set_calls_without_room(setups[l].calls_without_room);
+    if (link.on_main_way) runner.set_place(static_cast<uint16_t>(l + 1));
     for (size_t port = 0; port < link.input_edges.size(); ++port) {
       const int e = link.input_edges[port];
       if (e < 0) continue;
@@ -200,6 +216,8 @@ std::unique_ptr<Chain::Runtime> build_runtime(Plan& plan, const std::vector<Link
       const int e = link.output_edges[port];
       runner.connect_output(static_cast<int>(port), e < 0 ? nullptr : r.edges[static_cast<size_t>(e)].get(),
                             pools[l][port], setups[l].preloaded[port] > 0);
+      if (e >= 0 && carries_state(plan, plan.edges[static_cast<size_t>(e)]))
+        runner.keep_newest(static_cast<int>(port));
     }
   }
   for (auto it = plan.source_to_sink.rbegin(); it != plan.source_to_sink.rend(); ++it) {
@@ -207,6 +225,7 @@ std::unique_ptr<Chain::Runtime> build_runtime(Plan& plan, const std::vector<Link
     r.cores[static_cast<size_t>(plan.links[l].core)]->add(*r.runners[l]);
   }
   build_recorders(plan, options.trace_events, r);
+  if (r.faults) build_faults(plan, options, r);
   if (options.costs) r.modelled = std::make_unique<ModelledTime>(plan, *options.costs, r);
   return runtime;
 }

@@ -109,6 +109,8 @@ void Chain::on_core(int core, const std::function<void()>& work) {
 void Chain::start() {
   act(ChainAction::kStart);
   Runtime& r = *runtime_;
+  r.started_ns = r.clock->now_ns();
+  if (r.faults) r.faults->start(r.started_ns);
   if (options_.execution == Execution::kThreads) {
     hire_workers(plan_, r);
     for (size_t c = 0; c < r.cores.size(); ++c) {
@@ -117,7 +119,6 @@ void Chain::start() {
     }
   }
   r.links_started = true;
-  r.started_ns = r.clock->now_ns();
   for (auto it = plan_.source_to_sink.rbegin(); it != plan_.source_to_sink.rend(); ++it) {
     const auto l = static_cast<size_t>(*it);
     Runner& runner = *r.runners[l];
@@ -184,6 +185,7 @@ void Chain::stop() {
 void Chain::settle() {
   Runtime& r = *runtime_;
   for (auto& edge : r.edges) {
+    edge->drop_late();
     while (const ipc::Message* message = edge->front()) {
       Frame(*message, *edge->consumer().holder).release();
       edge->pop(r.clock->now_ns());
@@ -271,6 +273,7 @@ bool Chain::excuse_lost_feedback() {
   bool any = false;
   for (size_t l = 0; l < r.runners.size(); ++l) {
     on_core(plan_.links[l].core, [&, &runner = *r.runners[l]] {
+      if (runner.request_lost_state()) any = true;
       if (runner.waiting(r.clock->now_ns()).what != Runner::Wait::kFeedback) return;
       runner.excuse_feedback();
       any = true;

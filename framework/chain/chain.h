@@ -22,6 +22,7 @@
 #include "framework/chain/core.h"
 #include "framework/chain/lifecycle.h"
 #include "framework/chain/runner.h"
+#include "framework/fault/fault_plan.h"
 #include "framework/trace/traced_run.h"
 #include "framework/usecase/plan.h"
 
@@ -36,7 +37,8 @@ struct ChainOptions {
   /// take none.
   std::optional<CostModel> costs;
   std::chrono::milliseconds drain_deadline{10'000};
-  size_t trace_events = 0;  // to record, on all cores together (kUsualTraceEvents); 0: no trace
+  std::optional<FaultPlan> faults;  // what breaks in this run
+  size_t trace_events = 0;          // to record, on all cores together (kUsualTraceEvents); 0: no trace
   /// Called once, on some core's thread, when every link has ended.
   std::function<void()> on_finished;
 };
@@ -92,12 +94,12 @@ class Chain {
 
   /// Link calls so far, on all cores: stands still when nothing goes on.
   uint64_t calls() const;
-  /// A core is in the middle of a call.
+  /// A core is in the middle of a call, or held up by a fault that will be over.
   bool busy() const;
   /// Any thread, once the chain is configured.
   Progress progress() const;
-  /// When nothing moves any more: lets links that wait for a lost feedback token go on without. False if none
-  /// waits so.
+  /// When nothing moves any more: lets links that wait for a lost feedback token go on without, and has lost
+  /// states sent again. False if none waits so.
   bool excuse_lost_feedback();
   /// Who waits for whom, a line for every link that has not ended.
   std::vector<std::string> who_waits();

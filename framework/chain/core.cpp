@@ -13,6 +13,7 @@ Core::Core(int index, std::string name, ipc::Doorbell& doorbell, const Clock& cl
 
 void Core::add(Runner& runner) {
   if (runner.is_source()) sources_.push_back(runners_.size());
+  if (runner.keeps_newest()) keepers_.push_back(runners_.size());
   attention_.mark(static_cast<int>(runners_.size()));
   runners_.push_back(&runner);
 }
@@ -21,8 +22,15 @@ Runner* Core::next(const Choice& choice) {
   if (const uint32_t bells = doorbell_.take()) answer(bells);
   if (!now_is_fresh_) now_ns_ = clock_.now_ns();
   now_is_fresh_ = false;
+  if (faults_) {
+    look_at_faults(now_ns_);
+    if (faults_->halted()) return nullptr;
+  }
   for (const size_t source : sources_) {
     if (runners_[source]->wake_time_ns() <= now_ns_) attention_.mark(static_cast<int>(source));
+  }
+  for (const size_t keeper : keepers_) {
+    if (runners_[keeper]->send_again_ns() <= now_ns_) attention_.mark(static_cast<int>(keeper));
   }
   return next_ready(choice);
 }
@@ -33,12 +41,28 @@ bool Core::step(const Choice& choice) {
 
   busy_.store(true, std::memory_order_relaxed);
   const int64_t end_ns = runner->run(now_ns_);
-  busy_.store(false, std::memory_order_relaxed);
+  busy_.store(faults_ && faults_->hinders(), std::memory_order_relaxed);
   busy_ns_.add(static_cast<uint64_t>(end_ns - now_ns_));
   calls_.add();
   now_ns_ = end_ns;
   now_is_fresh_ = true;  // one look at the clock serves as the end of this call and the start of the next
   return true;
+}
+
+void Core::set_faults(CoreFaults& faults, std::vector<Edge*> departures) {
+  faults_ = &faults;
+  departures_ = std::move(departures);
+}
+
+void Core::look_at_faults(int64_t now_ns) {
+  if (!faults_ || !faults_->due(now_ns)) return;
+  const bool starts_again = faults_->advance(now_ns);
+  busy_.store(faults_->hinders(), std::memory_order_relaxed);
+  if (faults_->halted()) return;
+  if (starts_again)
+    for (Runner* runner : runners_) runner->restart();
+  for (Edge* edge : departures_) edge->send_late(now_ns);
+  for (size_t i = 0; i < runners_.size(); ++i) attention_.mark(static_cast<int>(i));
 }
 
 /// Another core has changed something for the links of these bells.
@@ -98,11 +122,16 @@ void Core::loop(int spins, bool parks) {
 }
 
 std::optional<int64_t> Core::next_wake_ns() const {
-  std::optional<int64_t> earliest;
+  std::optional<int64_t> earliest = faults_ ? faults_->next_change_ns() : std::nullopt;
+  if (faults_ && faults_->halted()) return earliest;
   for (const size_t source : sources_) {
     Runner& runner = *runners_[source];
     if (runner.waiting(now_ns_).what != Runner::Wait::kTime) continue;
     if (!earliest || runner.wake_time_ns() < *earliest) earliest = runner.wake_time_ns();
+  }
+  for (const size_t keeper : keepers_) {
+    const int64_t again_ns = runners_[keeper]->send_again_ns();
+    if (again_ns < earliest.value_or(Runner::kNever)) earliest = again_ns;
   }
   return earliest;
 }

@@ -30,6 +30,8 @@ class alignas(ipc::kCacheLine) Core {
   void add(Runner& runner);
   /// An edge that comes from another core.
   void add_arrivals(Edge& edge) { arrivals_.push_back(&edge); }
+  /// What goes wrong here and on the edges that leave its links.
+  void set_faults(CoreFaults& faults, std::vector<Edge*> departures);
 
   const std::string& name() const { return name_; }
   int index() const { return index_; }
@@ -47,8 +49,13 @@ class alignas(ipc::kCacheLine) Core {
   }
   /// Steps until quit() and parks when there is nothing to do.
   void loop(int spins, bool parks);
-  /// The earliest time at which a source here wants to be called.
+  /// Begins and ends the faults that are due.
+  void look_at_faults(int64_t now_ns);
+  /// The earliest time at which a source here wants to be called, a lost state has to be sent again, or a
+  /// fault begins or ends.
   std::optional<int64_t> next_wake_ns() const;
+  /// The second of these alone.
+  std::optional<int64_t> next_fault_ns() const { return faults_ ? faults_->next_change_ns() : std::nullopt; }
 
   // Any thread:
   /// Has it look at all of its links.
@@ -58,7 +65,7 @@ class alignas(ipc::kCacheLine) Core {
   void quit();
   int64_t busy_ns() const { return static_cast<int64_t>(busy_ns_.value()); }
   uint64_t calls() const { return calls_.value(); }
-  /// In the middle of a link's call.
+  /// In the middle of a link's call, or held up by a fault that will be over.
   bool busy() const { return busy_.load(std::memory_order_relaxed); }
 
  private:
@@ -74,9 +81,12 @@ class alignas(ipc::kCacheLine) Core {
   Attention attention_;
   std::vector<Runner*> runners_;
   std::vector<size_t> sources_;  // positions of those that call themselves
+  std::vector<size_t> keepers_;  // and of those that may have to send a state again
   std::vector<Runner*> ready_;   // scratch for a choice
   std::vector<Edge*> arrivals_;
-  size_t next_arrival_ = 0;  // whose turn it is to be looked at while the core spins
+  size_t next_arrival_ = 0;       // whose turn it is to be looked at while the core spins
+  CoreFaults* faults_ = nullptr;  // null: nothing goes wrong here
+  std::vector<Edge*> departures_;
 
   int64_t now_ns_ = 0;
   bool now_is_fresh_ = false;

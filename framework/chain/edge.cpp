@@ -54,20 +54,22 @@ void Edge::set_recorders(int number, Recorder& producer, Recorder& consumer) {
 
 /// What the producer knows to lie there, what it has not published yet among it.
 size_t Edge::queued() {
+  const size_t late = late_.size();
   switch (way_) {
     case Way::kLocal:
-      return local_.size();
+      return local_.size() + late;
     case Way::kModelled:
-      return local_.size() + held_back_.size();
+      return local_.size() + held_back_.size() + late;
     case Way::kAcross:
-      return ring_.filled();
+      return ring_.filled() + late;
     case Way::kEvicting:
-      return evicting_.size();
+      return evicting_.size() + late;
   }
   return 0;
 }
 
 int Edge::room() {
+  if (faults_ && faults_->in_force(FaultKind::kFull)) return 0;
   if (policy_ != Policy::kBlock) return depth_;
   return std::max(0, depth_ - static_cast<int>(queued()));
 }
@@ -75,6 +77,10 @@ int Edge::room() {
 bool Edge::has_room() {
   const auto depth = static_cast<size_t>(depth_);
   if (policy_ != Policy::kBlock) return true;
+  if (faults_) {
+    if (faults_->in_force(FaultKind::kFull)) return false;  // the core looks again when that is over
+    if (!late_.empty() && queued() >= depth) return false;
+  }
   if (way_ == Way::kLocal) return local_.size() < depth;
   if (way_ == Way::kModelled) return queued() < depth;
   if (ring_.filled_at_most() < depth || ring_.filled() < depth) return true;
@@ -84,13 +90,17 @@ bool Edge::has_room() {
 
 void Edge::send(const ipc::Message& message) {
   if (way_ == Way::kModelled) return held_back_.push_back(message);
-  apply_policy(message);
+  leave(message);
+}
+
+void Edge::leave(const ipc::Message& message) {
+  faults_ ? leave_if_nothing_is_wrong(message) : apply_policy(message);
 }
 
 void Edge::apply_policy(const ipc::Message& message) {
-  if (policy_ == Policy::kDropNewest && queued() >= static_cast<size_t>(depth_)) {
+  const bool full = faults_ && policy_ != Policy::kBlock && faults_->in_force(FaultKind::kFull);
+  if (full || (policy_ == Policy::kDropNewest && queued() >= static_cast<size_t>(depth_)))
     return drop(message, "queue_full");
-  }
   size_t taken_back = 0;
   if (policy_ == Policy::kDropOldest) taken_back = evict_to(static_cast<size_t>(depth_) - 1, "overwritten");
   if (policy_ == Policy::kLatest) taken_back = evict_to(0, "overwritten");
@@ -104,7 +114,7 @@ void Edge::send_end() {
   ipc::Message end;
   end.kind = ipc::MessageKind::kEnd;
   if (way_ == Way::kModelled) return held_back_.push_back(end);
-  push(end);
+  late_.empty() ? void(push(end)) : hold_up(end, late_.back().due_ns);
 }
 
 /// Never full: depth is kept by has_room() and the policies, and the end has a slot of its own. Returns when
@@ -231,9 +241,9 @@ void Edge::hand_over(int64_t now_ns) {
   for (ipc::Message& message : leaving_) {
     message.sent_ns = now_ns;
     if (message.kind == ipc::MessageKind::kEnd) {
-      push(message);
+      late_.empty() ? void(push(message)) : hold_up(message, late_.back().due_ns);
     } else {
-      apply_policy(message);
+      leave(message);
       high_water_ = std::max(high_water_, local_.size());
     }
   }

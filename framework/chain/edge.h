@@ -9,16 +9,22 @@
 // In modelled time (modelled_time.h) one thread has both sides, and every edge, local ones too, hands over at
 // the end of the call; its consumer sees that a latency later.
 //
+// A message that gets lost leaves its slot empty, which the consumer finds in its turn: an absence. A state
+// that got lost can be asked for again.
+//
 // Thread rule: the functions of the producer on its core, those of the consumer on its core.
 
+#include <deque>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "framework/buffer/attention.h"
 #include "framework/buffer/holder.h"
 #include "framework/chain/local_ring.h"
 #include "framework/clock/clock.h"
+#include "framework/fault/core_faults.h"
 #include "framework/statistics/counter.h"
 #include "framework/statistics/drop_counts.h"
 #include "framework/trace/recorder.h"
@@ -30,6 +36,14 @@
 #include "ipc/shared_region.h"
 
 namespace svchain {
+
+/// Why a set got lost, where it may have got lost on two ways at once.
+inline constexpr const char *kLostOnEdge = "lost", *kLostInCall = "error";
+/// Places that count such losses: links from 1 on, and edges from here on.
+inline constexpr uint16_t kEdgePlaces = 0x8000;
+inline bool is_lost_on_edge(uint16_t place) {
+  return place >= kEdgePlaces;
+}
 
 class Edge {
  public:
@@ -56,6 +70,9 @@ class Edge {
   bool wants_absence() const { return wants_absence_; }
   /// Traced, as `number`: by the recorders of the producer's core and the consumer's.
   void set_recorders(int number, Recorder& producer, Recorder& consumer);
+  /// What goes wrong here, by the site, on the producer's core.
+  /// `place`: what absences say of losses that are counted here; 0 where they are not.
+  void set_faults(FaultSite& site, CoreFaults& core, uint16_t place);
   /// The most that wait here: one that could be taken back may be in the consumer's hand.
   int capacity() const { return depth_ + (way_ == Way::kEvicting ? 1 : 0); }
 
@@ -65,6 +82,11 @@ class Edge {
   /// Whether one can be sent. If not, the producer's link will be looked at when there is room.
   bool has_room();
   void send(const ipc::Message& message);
+  /// A state that has got lost.
+  void send_again(const ipc::Message& message) {
+    ++times_again_;
+    send(message);
+  }
   /// The end always finds a place.
   void send_end();
   /// Ends a call: what it has sent leaves now.
@@ -72,6 +94,14 @@ class Edge {
     if (ring_.staged() > 0) publish_staged(now_ns);
   }
   void note_full() { full_.add(); }
+  /// The consumer has asked for the newest state again. Once true, the request is taken.
+  bool takes_request() { return waits_->state.take(); }
+  /// A message that was sent since the last look has been lost to a fault.
+  bool take_lost() { return std::exchange(lost_, false); }
+  /// Messages that a fault has held up leave now if their time has come and there is room.
+  void send_late(int64_t now_ns);
+  /// Lets go of them all, the chain having stopped.
+  void drop_late();
 
   // Consumer:
   /// The oldest message, which stays where it is until pop(). Null if there is none: then the consumer's link
@@ -79,6 +109,9 @@ class Edge {
   const ipc::Message* front() { return way_ == Way::kLocal ? local_.front() : front_elsewhere(); }
   /// Takes the front away, at `now_ns` by the chain's clock.
   void pop(int64_t now_ns);
+  /// The newest state has got lost: asks for it again, unless something is on its way. True if it was asked
+  /// for.
+  bool request_newest();
   /// For a core that spins: a message has come since front() found none. True only once.
   bool arrived();
 
@@ -106,12 +139,20 @@ class Edge {
   enum class Way { kLocal, kModelled, kAcross, kEvicting };
   /// In the region, before the ring: who waits for the other side.
   struct Waits {
-    ipc::Mark message, room;
+    ipc::Mark message, room, state;
+  };
+  struct Late {
+    ipc::Message message;
+    int64_t due_ns;
   };
 
   size_t queued();
   int64_t push(const ipc::Message& message);
   void record_taken(int64_t now_ns);
+  void leave(const ipc::Message& message);
+  void leave_if_nothing_is_wrong(ipc::Message message);
+  void lose(const ipc::Message& message, const char* reason);
+  void hold_up(const ipc::Message& message, int64_t due_ns);
   void apply_policy(const ipc::Message& message);
   void drop(const ipc::Message& message, const char* reason);
   size_t evict_to(size_t kept, const char* reason);
@@ -130,7 +171,8 @@ class Edge {
   int number_ = 0;                                                        // for the recorders
   Recorder *producer_recorder_ = nullptr, *consumer_recorder_ = nullptr;  // null: not traced
   ipc::SharedRegion region_;  // of an edge between cores: Waits, then the ring
-  Waits* waits_ = nullptr;
+  Waits own_waits_;           // of an edge within one thread
+  Waits* waits_ = &own_waits_;
   LocalRing local_;  // of kModelled too
   std::vector<ipc::Message> held_back_, leaving_;
   int64_t latency_ns_ = 0;
@@ -141,6 +183,12 @@ class Edge {
   alignas(ipc::kCacheLine) Counter messages_, full_;
   uint32_t sent_ = 0;  // the number of the message sent last
   DropCounts dropped_;
+  FaultSite* faults_ = nullptr;  // null: nothing goes wrong here
+  CoreFaults* core_faults_ = nullptr;
+  std::deque<Late> late_;
+  bool lost_ = false;
+  uint64_t times_again_ = 0;
+  uint16_t place_ = 0;
   // The consumer's.
   alignas(ipc::kCacheLine) bool awaits_ = false;  // front() has found nothing
   bool claimed_ = false;                          // kEvicting: the front is out of the ring

@@ -29,6 +29,7 @@ void Runner::end_call(int64_t end_ns) {
   for (Out& out : outputs_) {
     if (out.edge) out.edge->hand_over(end_ns);
   }
+  if (faults_) count_lost_set();
   record(std::exchange(under_way_, Gathered::kNothing), end_ns);
 }
 

@@ -18,14 +18,6 @@ const SocCore& core_of(const Plan& plan, int link) {
   return plan.cores[static_cast<size_t>(plan.links[static_cast<size_t>(link)].core)];
 }
 
-/// Pixels of the composite; 0 for a use case without one.
-double view_px(const UseCase& use_case) {
-  const auto view = use_case.settings.find("view");
-  if (view == use_case.settings.end()) return 0;
-  const std::vector<double> size_px = view->second.numbers("size_px");
-  return size_px.size() == 2 ? size_px[0] * size_px[1] : 0;
-}
-
 double share(int64_t busy_ns, int64_t of_ns) {
   if (of_ns <= 0) return 0;
   return std::round(static_cast<double>(busy_ns) / static_cast<double>(of_ns) * 1e4) / 1e4;
@@ -55,6 +47,7 @@ bool ModelledTime::step(const Core::Choice& choice) {
   for (size_t c = 0; c < count; ++c) {
     if (in_flight_[c].runner && in_flight_[c].end_ns <= now_ns) end(c);
   }
+  for (const auto& core : runtime_.cores) core->look_at_faults(now_ns);
   const size_t first = choice ? choice(count) : 0;
   for (size_t i = 0; i < count; ++i) {
     const size_t c = (first + i) % count;
@@ -73,7 +66,8 @@ bool ModelledTime::advance() {
     if (time_ns && (!earliest_ns || *time_ns < *earliest_ns)) earliest_ns = time_ns;
   };
   for (size_t c = 0; c < in_flight_.size(); ++c) {
-    may_be(in_flight_[c].runner ? in_flight_[c].end_ns : runtime_.cores[c]->next_wake_ns());
+    if (in_flight_[c].runner) may_be(in_flight_[c].end_ns);
+    may_be(in_flight_[c].runner ? runtime_.cores[c]->next_fault_ns() : runtime_.cores[c]->next_wake_ns());
   }
   for (const auto& edge : runtime_.edges) may_be(edge->next_arrival_ns());
   if (!earliest_ns) return false;
@@ -87,7 +81,7 @@ void ModelledTime::begin(size_t core, Runner& runner) {
   const Runner::Work work = runner.begin_call(now_ns);
   InFlight& call = in_flight_[core];
   call = {&runner, now_ns, now_ns, false};
-  call.end_ns += duration_ns(prices_.at(&runner), work, call.moves_bytes);
+  call.end_ns += runner.slowed_ns(duration_ns(prices_.at(&runner), work, call.moves_bytes));
   if (call.end_ns == now_ns) end(core);
 }
 
@@ -104,8 +98,7 @@ int64_t ModelledTime::duration_ns(const Priced& priced, const Runner::Work& work
   const CallCost& cost = priced.cost;
   const auto input_px = static_cast<double>(work.input_px);
   const double output_px = work.sent && work.output_px == 0 ? view_px_ : static_cast<double>(work.output_px);
-  const double cycles = cost.per_call + (work.sent ? cost.per_result : 0) + cost.per_input_px * input_px +
-                        cost.per_output_px * output_px;
+  const double cycles = cost.cycles(work.sent, input_px, output_px);
   const double bytes = cost.bytes_per_input_px * input_px + cost.bytes_per_output_px * output_px;
   moves_bytes = bytes > 0 && costs_.memory.bytes_per_s > 0;
   double memory_ns = 0;
@@ -145,6 +138,7 @@ Json ModelledTime::what_it_rests_on() const {
     link = to_json(costs_.call(core.kind, plan_.links[l].entry.type));
     link["core_kind"] = core.kind;
     link["clock_mhz"] = core.clock_mhz;
+    link["clock_basis"] = core.clock_basis;
   }
   rests["ipc"] = Json::object();
   for (const PlannedEdge& edge : plan_.edges) {
@@ -179,6 +173,13 @@ void ModelledTime::report(Json& report, int64_t end_ns) const {
     const Core& core = *runtime_.cores[c];
     after["cores"][core.name()]["load"] = share(core.busy_ns() - power_up_->busy_ns[c], lasted_ns);
   }
+}
+
+double view_px(const UseCase& use_case) {
+  const auto view = use_case.settings.find("view");
+  if (view == use_case.settings.end()) return 0;
+  const std::vector<double> size_px = view->second.numbers("size_px");
+  return size_px.size() == 2 ? size_px[0] * size_px[1] : 0;
 }
 
 Faults what_cannot_be_modelled(const Plan& plan) {

@@ -80,6 +80,9 @@ class ModelledTime {
   Histogram latency_after_;  // of frames captured after it
 };
 
+/// Pixels of the composite, which calls that send tables only are counted by; 0 for a use case without one.
+double view_px(const UseCase& use_case);
+
 /// Cores in use whose clock the SoC file does not say: the chain cannot be modelled on them.
 Faults what_cannot_be_modelled(const Plan& plan);
 

@@ -51,8 +51,18 @@ std::map<std::string, uint64_t> dropped_sets(const Plan& plan, const Chain::Runt
     if (plan.links[l].on_main_way) add_counts(dropped, r.runners[l]->counters().dropped.by_reason());
   }
   for (size_t e = 0; e < plan.edges.size(); ++e) {
-    if (plan.edges[e].on_main_way) add_counts(dropped, r.edges[e]->dropped().by_reason());
+    if (!plan.edges[e].on_main_way) continue;
+    std::map<std::string, uint64_t> on_edge = r.edges[e]->dropped().by_reason();
+    if (carries_parts(plan, plan.edges[e])) {
+      on_edge.erase("dropout");  // what of a set goes wrong before it is one, its maker counts
+      on_edge.erase(kLostOnEdge);
+    }
+    add_counts(dropped, on_edge);
   }
+  for (const auto& runner : r.runners) {
+    for (const auto& [reason, count] : runner->counters().counted_twice.by_reason()) dropped[reason] -= count;
+  }
+  std::erase_if(dropped, [](const auto& entry) { return entry.second == 0; });
   return dropped;
 }
 
@@ -72,6 +82,10 @@ Json frames_part(const Plan& plan, const Chain::Runtime& r, uint64_t delivered) 
 bool some_link_delivers(const Plan& plan) {
   return std::any_of(plan.links.begin(), plan.links.end(),
                      [](const PlannedLink& l) { return l.description.delivers; });
+}
+
+bool carries_parts(const Plan& plan, const PlannedEdge& edge) {
+  return plan.links[static_cast<size_t>(edge.to_link)].description.trigger == Trigger::kAny;
 }
 
 uint64_t dropped_count(const Plan& plan, const Chain::Runtime& r) {
@@ -135,6 +149,7 @@ nlohmann::json Chain::report() const {
   }
   for (const auto& held : outstanding()) report["pools"][held.pool]["held_by"][held.holder] = held.count;
   if (r.modelled) r.modelled->report(report, end_ns);
+  if (r.faults) report["faults"] = r.faults->report();
   for (const auto& runner : r.runners) runner->link().report(report);
   return report;
 }

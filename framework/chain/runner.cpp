@@ -1,5 +1,6 @@
 #include "framework/chain/runner.h"
 
+#include <algorithm>
 #include <exception>
 #include <optional>
 #include <utility>
@@ -61,6 +62,7 @@ Runner::Waiting Runner::waiting(int64_t now_ns) {
     case State::kRunning:
       break;
   }
+  if (keeps_newest_ && states_requested()) return {};
   if (is_source()) {
     if (end_requested_.load(std::memory_order_acquire)) return {};
     if (now_ns < wake_at_ns_) return {Wait::kTime, -1};
@@ -70,7 +72,13 @@ Runner::Waiting Runner::waiting(int64_t now_ns) {
   return waiting_outputs();
 }
 
+/// States first, whatever else is missing: who sends them may be what the rest waits for.
 Runner::Waiting Runner::waiting_inputs() {
+  for (In& in : inputs_) {
+    if (!in.edge || in.intake != Intake::kState) continue;
+    absorb_newest(in);
+    if (in.lost) in.edge->request_newest();
+  }
   int feedback_port = -1;
   bool any = false;
   for (size_t i = 0; i < inputs_.size(); ++i) {
@@ -78,7 +86,6 @@ Runner::Waiting Runner::waiting_inputs() {
     const int port = static_cast<int>(i);
     if (!in.edge) continue;
     if (in.intake == Intake::kState) {
-      absorb_newest(in);
       if (!in.frame && !in.optional && !in.ended) return {Wait::kFrame, port};
     } else if (in.feedback) {
       if (!feedback_ready(in)) feedback_port = port;
@@ -103,10 +110,15 @@ Runner::Waiting Runner::waiting_outputs() {
     }
     if (out.preloaded) continue;
     for (Pool* pool : out.pools) {
-      if (!holder_.has_free(*pool)) return {Wait::kBuffer, static_cast<int>(i)};
+      if (!has_memory(*pool)) return {Wait::kBuffer, static_cast<int>(i)};
     }
   }
   return {};
+}
+
+bool Runner::has_memory(Pool& pool) const {
+  if (faults_ && faults_->link.in_force(FaultKind::kNoMemory)) return false;
+  return holder_.has_free(pool);
 }
 
 /// The token that answers the last call, older ones being of no more use. Before the first call nothing is
@@ -122,7 +134,9 @@ bool Runner::feedback_ready(In& in) {
 
 void Runner::absorb_newest(In& in) {
   while (in.edge->front()) {
-    if (take_front(in) == ipc::MessageKind::kEnd) in.ended = true;
+    const ipc::MessageKind kind = take_front(in);
+    in.ended = in.ended || kind == ipc::MessageKind::kEnd;
+    in.lost = kind == ipc::MessageKind::kAbsence && !in.feedback && !in.ended;
   }
 }
 
@@ -139,6 +153,10 @@ Runner::Gathered Runner::act(int64_t now_ns) {
   now_ns_ = now_ns;
   if (state_ == State::kEnded) {
     discard_inputs();
+    return Gathered::kNothing;
+  }
+  if (keeps_newest_ && states_requested()) {
+    send_requested_states();
     return Gathered::kNothing;
   }
   if (state_ == State::kFinishing) {
@@ -172,6 +190,7 @@ void Runner::record(Gathered what, int64_t end_ns) {
   if (what == Gathered::kCall) {
     counters_.process.record(end_ns - now_ns_);
     if (!is_source()) counters_.latency.record(end_ns - trigger_.captured_ns);
+    if (faults_ && faults_->recovery) faults_->recovery->delivered(end_ns);
   }
   if (!recorder_) return;
   if (what == Gathered::kCall)
@@ -186,6 +205,7 @@ int64_t Runner::publish_outputs() {
   for (Out& out : outputs_) {
     if (out.edge) out.edge->publish(end_ns);
   }
+  if (faults_) count_lost_set();
   return end_ns;
 }
 
@@ -209,6 +229,7 @@ ipc::MessageKind Runner::take_front(In& in) {
 Runner::Gathered Runner::gather_all() {
   if (!fronts_are_there()) return Gathered::kNothing;
   Gathered gathered = Gathered::kCall;
+  lost_at_ = 0;
   std::optional<Moment> moment;
   bool state_missing = false;
   for (In& in : inputs_) {
@@ -219,6 +240,7 @@ Runner::Gathered Runner::gather_all() {
       gather_feedback(in);
     } else {
       if (!moment) moment = moment_of(*in.edge->front());
+      note_loss(in.edge->front()->lost_at);
       const ipc::MessageKind kind = take_front(in);
       if (kind == ipc::MessageKind::kEnd) gathered = Gathered::kEnd;
       if (kind == ipc::MessageKind::kAbsence && gathered == Gathered::kCall) gathered = Gathered::kSkip;
@@ -234,6 +256,13 @@ Runner::Gathered Runner::gather_all() {
     called_ = true;
   }
   return gathered;
+}
+
+/// A set that is missing for two reasons has been counted for both.
+void Runner::note_loss(uint16_t lost_at) {
+  if (lost_at == 0 || lost_at == lost_at_) return;
+  if (lost_at_ != 0) counters_.counted_twice.add(is_lost_on_edge(lost_at) ? kLostOnEdge : kLostInCall);
+  lost_at_ = lost_at;
 }
 
 void Runner::gather_feedback(In& in) {
@@ -267,7 +296,9 @@ void Runner::call_link() {
   for (Out& out : outputs_) out.sent = false;
   bool threw = true;
   try {
+    if (faults_ && !throws_as_it_sends()) throw_if_struck(trigger_.sequence);
     link_->process(*this);
+    if (faults_ && faults_->takes_time) take_longer(now_ns_);
     threw = false;
   } catch (const std::exception& error) {
     fail(error.what());
@@ -279,7 +310,8 @@ void Runner::call_link() {
 }
 
 void Runner::fail(const char* what) {
-  drop("error", 1);
+  drop(kLostInCall, 1);
+  lost_at_ = place_;
   if (on_error_ == OnError::kDrop) return;
   failed_ = true;
   state_ = State::kFinishing;
@@ -301,6 +333,7 @@ void Runner::leave_absences() {
       absence.kind = ipc::MessageKind::kAbsence;
       absence.sequence = trigger_.sequence;
       absence.captured_ns = trigger_.captured_ns;
+      absence.lost_at = lost_at_;
       out.edge->send(absence);
     }
     out.sent = false;
@@ -333,8 +366,11 @@ void Runner::discard_inputs() {
 }
 
 void Runner::release_frames() {
-  for (In& in : inputs_) {
-    in.frame.release();
+  for (In& in : inputs_) in.frame.release();
+  for (Out& out : outputs_) out.newest.release();
+  if (!faults_) return;
+  for (auto& output : faults_->outputs) {
+    if (output) output->release();
   }
 }
 
@@ -342,9 +378,9 @@ Draft Runner::create(int port) {
   Out& out = outputs_[static_cast<size_t>(port)];
   ipc::Message message;
   message.sequence = trigger_.sequence;
-  message.captured_ns = is_source() ? now_ns_ : trigger_.captured_ns;
+  message.captured_ns = is_source() ? now_ns() : trigger_.captured_ns;
   for (Pool* pool : out.pools) {
-    const auto index = holder_.has_free(*pool) ? pool->take() : std::nullopt;
+    const auto index = has_memory(*pool) ? pool->take() : std::nullopt;
     if (!index) {
       Frame(message, holder_).release();
       return {};
@@ -358,12 +394,19 @@ Draft Runner::create(int port) {
 
 void Runner::send(int port, Frame&& frame) {
   Out& out = outputs_[static_cast<size_t>(port)];
+  if (faults_) {
+    if (throws_as_it_sends()) throw_if_struck(frame.sequence());
+    if (is_source()) frame.set_captured_ns(frame.captured_ns() - clock_offset_ns());
+    auto& fault = faults_->outputs[static_cast<size_t>(port)];
+    if (fault) frame = fault->instead_of(std::move(frame));
+  }
   if (!out.edge) return frame.release();  // nobody listens: the buffers go home
   if (!out.edge->has_room()) {
     drop("no_room", 1);
     return frame.release();
   }
   out.sent = true;
+  if (out.keeps_newest) out.newest = frame.share();
   out.edge->send(frame.message());
   frame.hand_over();
 }

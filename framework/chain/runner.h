@@ -7,12 +7,15 @@
 
 #include <atomic>
 #include <functional>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "framework/chain/edge.h"
 #include "framework/chain/workers.h"
+#include "framework/fault/link_faults.h"
 #include "framework/link/call.h"
 #include "framework/link/link.h"
 #include "framework/trace/recorder.h"
@@ -33,6 +36,7 @@ struct RunnerCounters {
   Counter processed, captured;
   Counter late_feedback;  // calls that went on without the token of a feedback edge
   DropCounts dropped;
+  DropCounts counted_twice;  // sets lost on two ways to this link
   Histogram process, latency;
 };
 
@@ -57,10 +61,16 @@ class alignas(ipc::kCacheLine) Runner final : public Call {
   void connect_input(int port, Edge& edge, bool feedback, bool exact);
   /// `pools`: one for every buffer of a frame made here; empty where the output forwards. `edge` may be null.
   void connect_output(int port, Edge* edge, std::vector<Pool*> pools, bool preloaded);
+  /// The output's edge leads to a kState input: what it was sent last is kept here, in case it gets lost.
+  void keep_newest(int port) { outputs_[static_cast<size_t>(port)].keeps_newest = keeps_newest_ = true; }
+  /// What goes wrong here.
+  void set_faults(std::unique_ptr<LinkFaults> faults) { faults_ = std::move(faults); }
   /// Those of the core, while it has threads; null: it works alone.
   void set_workers(Workers* workers) { workers_ = workers; }
   /// Traced, as `number`: by the recorder of the link's core.
   void set_recorder(int number, Recorder& recorder);
+  /// What absences say of sets whose loss this link has counted as an error; 0 where it is not counted.
+  void set_place(uint16_t place) { place_ = place; }
   void set_calls_without_room(bool value) { calls_without_room_ = value; }
 
   const std::string& name() const { return name_; }
@@ -77,6 +87,10 @@ class alignas(ipc::kCacheLine) Runner final : public Call {
   void excuse_feedback() { feedback_excused_ = true; }
   /// Lets go of every frame held here, after the link's stop().
   void release_frames();
+  /// The core starts again: states and answers that the link was given are gone.
+  void restart();
+  /// It waits for a state that has got lost, and asks for it again.
+  bool request_lost_state();
 
   Waiting waiting(int64_t now_ns);
   /// Only when waiting() is ready. Returns the time at its end.
@@ -95,9 +109,15 @@ class alignas(ipc::kCacheLine) Runner final : public Call {
   bool in_call() const { return under_way_ == Gathered::kCall; }
   /// Of what the last call was about.
   int64_t captured_ns() const { return trigger_.captured_ns; }
+  /// How long a call takes that would take so long, were nothing wrong.
+  int64_t slowed_ns(int64_t duration_ns);
 
   /// When a source wants to be called; meaningful while it waits for kTime.
   int64_t wake_time_ns() const { return wake_at_ns_; }
+  static constexpr int64_t kNever = std::numeric_limits<int64_t>::max();
+  bool keeps_newest() const { return keeps_newest_; }
+  /// When a state that has got lost is to be sent again; kNever where none is asked for.
+  int64_t send_again_ns() const { return send_again_ns_; }
 
   // Call:
   const Frame& input(int port) const override { return inputs_[static_cast<size_t>(port)].frame; }
@@ -106,13 +126,13 @@ class alignas(ipc::kCacheLine) Runner final : public Call {
   void send(int port, Draft&& draft) override { send(port, std::move(draft).publish()); }
   void send(int port, Frame&& frame) override;
   int room(int port) const override;
-  int64_t now_ns() const override { return now_ns_; }
+  int64_t now_ns() const override { return now_ns_ + clock_offset_ns(); }
   void drop(const char* reason, uint64_t count) override {
     counters_.dropped.add(reason, count);
     if (recorder_) recorder_->link_dropped(number_, reason, count);
   }
   void captured(uint64_t sets) override { counters_.captured.add(sets); }
-  void wake_at(int64_t time_ns) override { wake_at_ns_ = time_ns; }
+  void wake_at(int64_t time_ns) override { wake_at_ns_ = time_ns - clock_offset_ns(); }
   void end() override { request_end(); }
   int cpus() const override { return workers_ ? workers_->cpus() : 1; }
   void run_parts(int count, Workers::Part part, const void* context) override;
@@ -126,6 +146,7 @@ class alignas(ipc::kCacheLine) Runner final : public Call {
     bool optional = false;
     bool feedback = false;
     bool ended = false;
+    bool lost = false;  // kState: there is a newer one than the frame
     Frame frame;
   };
   struct alignas(ipc::kCacheLine) Out {
@@ -134,6 +155,9 @@ class alignas(ipc::kCacheLine) Runner final : public Call {
     bool preloaded = false;
     bool sent = false;
     bool full = false;
+    bool keeps_newest = false;
+    bool requested = false;
+    Frame newest;
   };
   /// What a run of the runner came to.
   enum class Gathered { kNothing, kCall, kSkip, kEnd, kFinish };
@@ -147,6 +171,7 @@ class alignas(ipc::kCacheLine) Runner final : public Call {
 
   Waiting waiting_inputs();
   Waiting waiting_outputs();
+  bool has_memory(Pool& pool) const;
   bool feedback_ready(In& in);
   void absorb_newest(In& in);
   bool fronts_are_there();
@@ -157,10 +182,18 @@ class alignas(ipc::kCacheLine) Runner final : public Call {
   Gathered gather_all();
   /// Only where there is a front.
   ipc::MessageKind take_front(In& in);
+  void note_loss(uint16_t lost_at);
   void gather_feedback(In& in);
   Gathered gather_any();
   void call_link();
   void finish_link();
+  int64_t clock_offset_ns() const { return faults_ ? faults_->core.clock_offset_ns() : 0; }
+  bool throws_as_it_sends() const;
+  void throw_if_struck(uint64_t occasion);
+  void take_longer(int64_t began_ns);
+  bool states_requested();
+  void send_requested_states();
+  void count_lost_set();
   void fail(const char* what);
   void leave_absences();
   void end_outputs();
@@ -180,18 +213,23 @@ class alignas(ipc::kCacheLine) Runner final : public Call {
   std::vector<Out> outputs_;
   State state_ = State::kIdle;
   bool calls_without_room_ = false;
+  bool keeps_newest_ = false;  // of some output
+  int64_t send_again_ns_ = kNever, sent_again_ns_ = 0;
   std::atomic<bool> end_requested_{false};
   bool called_ = false;
   Gathered under_way_ = Gathered::kNothing;  // from begin_call() to end_call()
   bool failed_ = false;
   bool feedback_excused_ = false;
   Moment trigger_;
+  uint16_t lost_at_ = 0;  // of a set that goes no further
+  uint16_t place_ = 0;
   int64_t now_ns_ = 0;
   int64_t wake_at_ns_ = 0;
   Workers* workers_ = nullptr;
   int number_ = 0;                // for the recorder
   Recorder* recorder_ = nullptr;  // null: not traced
   RunnerCounters counters_;
+  std::unique_ptr<LinkFaults> faults_;  // null: nothing goes wrong
 };
 
 }  // namespace svchain

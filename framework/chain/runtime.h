@@ -12,6 +12,7 @@
 #include "framework/chain/core.h"
 #include "framework/chain/edge.h"
 #include "framework/chain/modelled_time.h"
+#include "framework/fault/chain_faults.h"
 #include "ipc/shared_region.h"
 
 namespace svchain {
@@ -26,6 +27,8 @@ struct Chain::Runtime {
   std::vector<std::unique_ptr<Recorder>> recorders;  // by core; none: no trace
   ipc::SharedRegion returns_region;
   std::vector<std::unique_ptr<ReturnPath>> return_paths;  // by core
+  std::unique_ptr<ChainFaults> faults;                    // null: nothing goes wrong
+  std::vector<Pool*> spare_pools;                         // by edge, where a source damages pictures
   PoolTable pools;
   std::vector<std::unique_ptr<Holder>> holders;  // by link
   std::vector<std::unique_ptr<Edge>> edges;      // by planned edge
@@ -63,9 +66,18 @@ size_t buffers_needed(const Plan& plan, const std::vector<LinkSetup>& setups, in
 
 /// A link says that it delivers; where none does, every sink counts as one that does.
 bool some_link_delivers(const Plan& plan);
+/// An edge into a link that makes sets of what comes.
+bool carries_parts(const Plan& plan, const PlannedEdge& edge);
 /// Sets lost on their way to delivery.
 uint64_t dropped_count(const Plan& plan, const Chain::Runtime& runtime);
 nlohmann::json in_ms(const Histogram& durations);
+
+/// Buffers that an edge and everything behind it can hold at a time; 0 for none (-1).
+size_t held_behind(const Plan& plan, const std::vector<LinkSetup>& setups, int edge);
+/// Where sources damage pictures. Before the buffers' ways home are laid.
+void build_spare_pools(const Plan& plan, const std::vector<LinkSetup>& setups, Chain::Runtime& runtime);
+/// The runtime being complete but for its faults.
+void build_faults(const Plan& plan, const ChainOptions& options, Chain::Runtime& runtime);
 
 /// Makes cores, pools, edges and runners. Throws std::system_error where memory is short.
 std::unique_ptr<Chain::Runtime> build_runtime(Plan& plan, const std::vector<LinkSetup>& setups,

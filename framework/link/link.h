@@ -87,7 +87,9 @@ class Link {
   /// one.
   virtual nlohmann::json control(const std::string& command, const nlohmann::json& arguments);
   virtual void stop() {}
-  /// After the run: adds the link's own part to the report ("view", "photometric", "output").
+  /// Once configured, and after the run: adds the link's own part to the report ("view", "photometric",
+  /// "output"), and to its array "warnings" what the user should know without asking for a report, as text
+  /// that begins with the link's name. The program says each once.
   virtual void report(nlohmann::json&) const {}
 };
 

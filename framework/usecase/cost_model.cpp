@@ -27,13 +27,6 @@ const std::vector<Term> kTerms = {{"per_call", &CallCost::per_call, kCycles},
                                   {"bytes_per_input_px", &CallCost::bytes_per_input_px, kBytes},
                                   {"bytes_per_output_px", &CallCost::bytes_per_output_px, kBytes}};
 
-/// A published source, else what the note says.
-std::string read_basis(const Value& value) {
-  const std::string source = value.optional("source").string();
-  const std::string note = value.optional("note").string(kAssumed);
-  return source.empty() ? note : source;
-}
-
 CallCost read_call(const Value& value) {
   std::vector<std::string> keys = {"source", "note"};
   for (const Term& term : kTerms) keys.emplace_back(term.key);
@@ -53,7 +46,19 @@ void read_hop(const std::string& kinds, const Value& value, CostModel& model) {
   model.ipc[{kinds.substr(0, arrow), kinds.substr(arrow + 4)}] = cost;
 }
 
+void put_terms(const CallCost& cost, nlohmann::json& json) {
+  for (const Term& term : kTerms) {
+    if (cost.*term.value != 0) json[term.key] = cost.*term.value;
+  }
+}
+
 }  // namespace
+
+std::string read_basis(const Value& value) {
+  const std::string source = value.optional("source").string();
+  const std::string note = value.optional("note").string(kAssumed);
+  return source.empty() ? note : source;
+}
 
 const CallCost CostModel::kCallWithoutFigure = {10'000, 0, 0, 1, 0, 0, kNoFigure};
 const IpcCost CostModel::kIpcWithoutFigure = {100, kNoFigure};
@@ -87,11 +92,34 @@ CostModel read_cost_model(const Value& costs) {
   return model;
 }
 
+Result<CostModel> read_cost_file(const std::filesystem::path& path) {
+  const auto document = json::Document::read(path);
+  if (!document) return tl::unexpected(document.error());
+  Faults faults;
+  const Value root(*document, faults);
+  root.only({"costs"});
+  CostModel costs = read_cost_model(root.required("costs"));
+  if (!faults.empty()) return tl::unexpected(std::move(faults));
+  return costs;
+}
+
+void overlay(CostModel& costs, const CostModel& more) {
+  for (const auto& [kind, links] : more.calls) {
+    for (const auto& [type, cost] : links) costs.calls[kind][type] = cost;
+  }
+  for (const auto& [kinds, cost] : more.ipc) costs.ipc[kinds] = cost;
+  if (more.memory.bytes_per_s > 0) costs.memory = more.memory;
+}
+
 nlohmann::json to_json(const CallCost& cost) {
   nlohmann::json json = {{"basis", cost.basis}};
-  for (const Term& term : kTerms) {
-    if (cost.*term.value != 0) json[term.key] = cost.*term.value;
-  }
+  put_terms(cost, json);
+  return json;
+}
+
+nlohmann::json to_file_json(const CallCost& cost) {
+  nlohmann::json json = {{cost.basis.starts_with(kAssumed) ? "note" : "source", cost.basis}};
+  put_terms(cost, json);
   return json;
 }
 

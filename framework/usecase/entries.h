@@ -16,6 +16,8 @@ inline const std::vector<std::string> kOnErrorNames = {"stop", "drop"};
 
 constexpr int kDeepestEdge = 64;
 
+/// What becomes of a call that throws: a link's key, and its name for --set.
+inline const std::string kOnErrorKey = "on_error";
 /// The key for the cores' CPUs, and their name for --set.
 inline const std::string kCpusKey = "cpus";
 

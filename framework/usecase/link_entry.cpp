@@ -30,11 +30,11 @@ LinkEntry read_link(const std::string& name, const json::Value& value, const Cat
   entry.name = name;
   entry.origin = origin_of(value);
   if (!is_name(name)) value.fault("a link's name is lower case letters, digits and _, got \"" + name + "\"");
-  value.only({"type", "core", "params", "on_error"});
+  value.only({"type", "core", "params", kOnErrorKey});
   entry.core = value.required("core").string();
   entry.core_origin = origin_of(value.optional("core"));
   entry.on_error =
-      value.optional("on_error").choice(kOnErrorNames, "stop") == "drop" ? OnError::kDrop : OnError::kStop;
+      value.optional(kOnErrorKey).choice(kOnErrorNames, "stop") == "drop" ? OnError::kDrop : OnError::kStop;
 
   const json::Value type = value.required("type");
   const json::Value params = value.optional("params");

@@ -9,7 +9,8 @@ namespace svchain {
 namespace {
 
 const std::string kForm =
-    "expected LINK.PARAMETER=VALUE, SETTING.KEY=VALUE, SETTING=VALUE or cpus.CORE=NUMBER";
+    "expected LINK.PARAMETER=VALUE, LINK.on_error=stop|drop, SETTING.KEY=VALUE, SETTING=VALUE or "
+    "cpus.CORE=NUMBER";
 
 const SettingDescription* find(const std::vector<SettingDescription>& settings, const std::string& name) {
   const auto it =
@@ -37,9 +38,18 @@ std::string set_setting(const SettingDescription& setting, const std::string& ke
   return parameters.set(setting.parameters, key, value);
 }
 
+std::string set_on_error(LinkEntry& link, const std::string& value) {
+  const auto name = std::find(kOnErrorNames.begin(), kOnErrorNames.end(), value);
+  if (name == kOnErrorNames.end())
+    return "expected " + spoken_list(kOnErrorNames) + ", got \"" + value + "\"";
+  link.on_error = static_cast<OnError>(name - kOnErrorNames.begin());
+  return {};
+}
+
 std::string set_parameter(LinkEntry& link, const std::string& parameter, const std::string& value,
                           const Catalogue& catalogue, const Origin& origin) {
   if (parameter.empty()) return "which parameter of \"" + link.name + "\"? " + kForm;
+  if (parameter == kOnErrorKey) return set_on_error(link, value);
   const auto made = catalogue.make(link.type);
   if (!made) return {};  // the unknown type is a fault already
   const std::string wrong = link.parameters.set(made->describe().parameters, parameter, value);

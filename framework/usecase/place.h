@@ -1,5 +1,5 @@
 #pragma once
-// Where values stand in their file, and in which order. Internal to the readers of this folder.
+// Where values stand in their file, and in which order. Internal to the readers of the framework.
 
 #include <algorithm>
 #include <string>

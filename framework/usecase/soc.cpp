@@ -15,14 +15,14 @@ SocCore read_core(const std::string& name, const Value& value) {
   SocCore core;
   core.name = name;
   if (name.empty()) value.fault("a core needs a name");
-  value.only({"kind", "clock_mhz", "count", "cpus", "spins", "parks", "note"});
+  value.only({"kind", "clock_mhz", "count", "cpus", "spins", "parks", "source", "note"});
   core.kind = value.required("kind").string();
   core.clock_mhz = value.optional("clock_mhz").number({1, 10000, "MHz"});
   core.count = static_cast<int>(value.optional("count").integer({1, 64}, 1));
   core.cpus = static_cast<int>(value.optional("cpus").integer({1, kMostCpus}, 1));
   core.spins = static_cast<int>(value.optional("spins").integer({0, 1000000}, core.spins));
   core.parks = value.optional("parks").boolean(core.parks);
-  value.optional("note").string();
+  core.clock_basis = read_basis(value);
   return core;
 }
 

@@ -17,10 +17,11 @@ struct SocCore {
   std::string name;  // "DSP1"
   std::string kind;  // "C66x", "A15", "M4", "EVE", "SGX"
   double clock_mhz = 0;
-  int count = 1;      // identical cores behind one name: A15 x2
-  int cpus = 1;       // threads that its links may share their work among
-  int spins = 200;    // how often the simulated core looks at its doorbell before it parks
-  bool parks = true;  // false: it never sleeps, which needs a CPU of its own
+  std::string clock_basis;  // where the clock is published, or what the file notes of it: "clock assumed"
+  int count = 1;            // identical cores behind one name: A15 x2
+  int cpus = 1;             // threads that its links may share their work among
+  int spins = 200;          // how often the simulated core looks at its doorbell before it parks
+  bool parks = true;        // false: it never sleeps, which needs a CPU of its own
 };
 
 struct Soc {

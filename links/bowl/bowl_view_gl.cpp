@@ -41,18 +41,20 @@ class BowlViewGl final : public Link {
   }
 
   void configure(Configuration& configuration) override {
+    name_ = configuration.link_name();
     pixels_ = configuration.pace().pixels;
     check_colours(configuration, kFrames);
     size_px_ = view_size_px(configuration);
     configuration.output(kView, {Format::bgr8(size_px_.x(), size_px_.y())});
     by_gl_.reset();
     by_cpu_.reset();
+    gl_name_.clear();
     why_not_gl_.clear();
     read_settings(configuration);
     if (pixels_) begin(configuration);
     mesh_at_ = nullptr;
     inputs_ = {};
-    frames_ = frames_by_gl_ = 0;
+    frames_ = frames_by_gl_ = times_lost_ = 0;
   }
 
   void check(Configuration& configuration) override { read_settings(configuration); }
@@ -79,7 +81,9 @@ class BowlViewGl final : public Link {
     nlohmann::json& own = report["bowl_view"];
     own = {{"renderer", gl_name_.empty() ? "cpu" : gl_name_}, {"frames", frames_}, {"by_gl", frames_by_gl_}};
     if (times_lost_ > 0) own["gl_lost"] = times_lost_;
-    if (!why_not_gl_.empty()) own["without_gl"] = why_not_gl_;
+    if (why_not_gl_.empty()) return;
+    own["without_gl"] = why_not_gl_;
+    report["warnings"].push_back(name_ + ": the CPU draws: " + why_not_gl_);
   }
 
  private:
@@ -109,7 +113,6 @@ class BowlViewGl final : public Link {
 
   void do_without_gl(const std::string& why) {
     why_not_gl_ = why;
-    if (by_gl_) times_lost_ = by_gl_->times_lost();
     by_gl_.reset();
     mesh_at_ = nullptr;
   }
@@ -128,6 +131,7 @@ class BowlViewGl final : public Link {
       ++frames_by_gl_;
       return true;
     } catch (const std::runtime_error& error) {  // lost and not to be had again, or refused
+      times_lost_ = by_gl_->times_lost();
       if (!may_do_without_gl_) throw;
       do_without_gl(error.what());
       return false;
@@ -154,6 +158,7 @@ class BowlViewGl final : public Link {
     return true;
   }
 
+  std::string name_;
   bool pixels_ = true;
   Eigen::Vector2i size_px_ = {0, 0};
   geometry::Vehicle vehicle_;

@@ -21,8 +21,8 @@ class GlPainter {
   /// Before the first paint(). The memory of the mesh table is borrowed until the next.
   void set_mesh(const bowl::MeshTable& mesh, const geometry::Rig& rig);
 
-  /// `bgr` has the painter's size. Throws std::runtime_error where the context is lost for good, or where
-  /// OpenGL ES refuses.
+  /// `bgr` has the painter's size. Throws std::runtime_error where the context is lost and no new one can be
+  /// had (the next call tries again), or where OpenGL ES refuses.
   void paint(const BowlPainter::Frames& frames, const synthesis::ToneMapping& tone_mapping,
              const bowl::Viewpoint& viewpoint, const colour::Picture& bgr);
 
@@ -41,12 +41,15 @@ class GlPainter {
     geometry::Rig rig;
   };
   void begin();
+  void begin_anew(const gl::GlLost& lost);
+  template <class Work>
+  void do_or_begin_anew(const Work& work);
 
   Eigen::Vector2i size_px_;
   std::optional<Car> car_;
   std::optional<World> world_;
   std::unique_ptr<gl::GlContext> context_;
-  std::unique_ptr<gl::BowlRenderer> renderer_;
+  std::unique_ptr<gl::BowlRenderer> renderer_;  // none where no new context could be had
   uint64_t times_lost_ = 0;
 };
 

@@ -117,6 +117,7 @@ class Capture final : public Link {
       Frame& still = stills_[static_cast<size_t>(port)];
       if (!still) {
         Draft draft = call.create(port);
+        if (!draft) return call.drop("downstream_full");
         read(draft, set, port);
         still = std::move(draft).publish();
       }

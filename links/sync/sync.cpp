@@ -125,9 +125,25 @@ class Sync final : public Link {
           drop_head(channels_[decision.channel], decision.reason);
           break;
         case Decision::Kind::kSet:
-          make_set(call, decision);
+          shown_already(decision) ? drop_fresh(decision, DropReason::kTooOld) : make_set(call, decision);
           break;
       }
+    }
+  }
+
+  /// Of a moment of which there has been a set: cameras whose time stamps are off together would make another.
+  bool shown_already(const Decision& decision) const {
+    for (size_t c = 0; c < kChannels; ++c) {
+      if (decision.fresh[c] && channels_[c].queue.front().sequence() >= ledger_.next()) return false;
+    }
+    return true;
+  }
+
+  void drop_fresh(const Decision& decision, DropReason reason) {
+    for (size_t c = 0; c < kChannels; ++c) {
+      if (!decision.fresh[c]) continue;
+      channels_[c].gone = false;
+      drop_head(channels_[c], reason);
     }
   }
 
@@ -158,11 +174,7 @@ class Sync final : public Link {
   }
 
   void give_up(Call& call, const Decision& decision) {
-    for (size_t c = 0; c < kChannels; ++c) {
-      if (!decision.fresh[c]) continue;
-      channels_[c].gone = false;
-      drop_head(channels_[c], DropReason::kIncompleteSet);
-    }
+    drop_fresh(decision, DropReason::kIncompleteSet);
     count(call, 1);
   }
 

@@ -175,8 +175,11 @@ TEST_CASE("a modelled chain gets over a lost token and a link that throws") {
 TEST_CASE("the report says what a modelled run rests on: sources, assumptions and defaults") {
   const Json no_figure = {{"cycles", {{"M4", {{"numbers", nullptr}}}}}};
   const Json rests = Modelled(no_figure).run(line())["modelled"];
-  CHECK(rests["links"]["add"] ==
-        Json{{"basis", "a data sheet"}, {"per_call", 80000.0}, {"core_kind", "C66x"}, {"clock_mhz", 200.0}});
+  CHECK(rests["links"]["add"] == Json{{"basis", "a data sheet"},
+                                      {"per_call", 80000.0},
+                                      {"core_kind", "C66x"},
+                                      {"clock_mhz", 200.0},
+                                      {"clock_basis", "assumed"}});
   CHECK(rests["links"]["collect"]["basis"] == "assumed");
   CHECK(rests["links"]["numbers"]["basis"] == CostModel::kCallWithoutFigure.basis);
   CHECK(rests["ipc"]["M4 -> C66x"] == Json{{"latency_us", 50.0}, {"basis", "measured"}});

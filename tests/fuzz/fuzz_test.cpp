@@ -5,6 +5,7 @@
 
 #include "algorithms/calibration/charts.h"
 #include "algorithms/geometry/rig.h"
+#include "framework/fault/fault_plan.h"
 #include "framework/usecase/plan.h"
 #include "tests/catch.h"
 #include "tests/fuzz/mutation.h"
@@ -94,6 +95,22 @@ TEST_CASE("damaged SoC files are read or refused with a reason") {
   const auto socs = testing::project_folder() / "configs" / "socs";
   const int refused = refusals(3, {file(socs / "tda2x.json"), file(socs / "tda3x.json")},
                                [](const std::string& text) { return parse_soc(text, "s.json"); });
+  CHECK(refused > kRuns / 2);
+}
+
+TEST_CASE("damaged fault files are read or refused with a reason, and so are their plans") {
+  const auto faults = testing::project_folder() / "configs" / "faults";
+  const std::vector<std::string> texts = {
+      file(faults / "failing_parts.json"),
+      R"({"random":{"per_hour":120,"from_s":10,"to_s":3600,"lasting_s":[0.05,2],"kinds":["halt","late"]}})"};
+  const auto plan = testing::plan_of(testing::kTwoDsps);
+  REQUIRE(plan);
+  for (const auto& text : texts) REQUIRE(parse_fault_script(text, "f.json"));
+  const int refused = refusals(6, texts, [&](const std::string& text) -> Result<FaultPlan> {
+    const auto script = parse_fault_script(text, "f.json");
+    if (!script) return tl::unexpected(script.error());
+    return place_faults(*script, *plan, 1);
+  });
   CHECK(refused > kRuns / 2);
 }
 

@@ -85,6 +85,29 @@ TEST_CASE("frames whose rows have gaps are read without them") {
                  cv::NORM_INF) == 0);
 }
 
+TEST_CASE("upload, draw and read-back one after the other make the picture that render makes") {
+  if (!has_gl()) return;
+  const gl::GlContext context;
+  const auto renderer = renderer_of_parking(context);
+  renderer->set_car(parking().car, parking().rig.vehicle);
+  const bowl::Viewpoint chase = parking().preset("chase"), top = parking().preset("top");
+  const cv::Mat whole = drawn(*renderer, parking().bgr, kTones, chase, 1);
+  static_cast<void>(drawn(*renderer, parking().bgr, kTones, top, 1));  // so that the car is drawn anew
+  cv::Mat picture(kPicture.y(), kPicture.x(), CV_8UC3), black = picture.clone();
+  renderer->upload(parking().bgr.pictures);
+  renderer->draw(kTones, chase, 1);
+  renderer->read_back(colour::bgr_picture(picture));
+  CHECK(cv::norm(picture, whole, cv::NORM_INF) == 0);
+
+  gl::BowlRenderer bare(context, kPicture);
+  CHECK_THROWS_WITH(bare.upload(parking().bgr.pictures), Contains("no mesh table yet"));
+  CHECK_THROWS_WITH(bare.draw(kTones, chase, 1), Contains("no mesh table yet"));
+  const auto without_frames = renderer_of_parking(context);
+  without_frames->draw(kTones, chase, 0);
+  without_frames->read_back(colour::bgr_picture(black));
+  CHECK(cv::norm(black, cv::NORM_INF) == 0);
+}
+
 TEST_CASE("two GL renderers on two threads each draw what one alone draws") {
   if (!has_gl()) return;
   const std::array<bowl::Viewpoint, 2> viewpoints = {parking().preset("chase"), parking().preset("top")};

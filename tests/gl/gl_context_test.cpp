@@ -7,6 +7,7 @@
 #include "algorithms/gl/gl_objects.h"
 #include "tests/catch.h"
 #include "tests/gl/parking.h"
+#include "tests/gl_loss.h"
 
 using namespace svchain;
 using namespace svchain::gl;
@@ -64,4 +65,23 @@ TEST_CASE("shaders that do not compile or link are refused with what the compile
   CHECK_THROWS_WITH(Program(vertex, head + "void main() { unheard_of(); }"),
                     Contains("fragment shader does not compile") && Contains("unheard_of"));
   CHECK_THROWS_WITH(Program(vertex, fragment), Contains("do not link") && Contains("nowhere"));
+}
+
+TEST_CASE("a context that the driver gives up is lost to whoever draws, who then may make another") {
+  if (!has_gl()) return;
+  const GlContext context;
+  const auto renderer = renderer_of_parking(context);
+  const bowl::Viewpoint top = parking().preset("top");
+  const auto tones = synthesis::ToneMapping::identity();
+  const cv::Mat before = drawn(*renderer, parking().bgr, tones, top);
+  {
+    const GlLoss loss(GlLoss::Kind::kAlways);
+    CHECK_THROWS_AS(drawn(*renderer, parking().bgr, tones, top), GlLost);
+    CHECK_THROWS_AS(renderer->set_mesh(parking().mesh.table(), parking().rig), GlLost);
+    CHECK_THROWS_AS(renderer->set_car(parking().car, parking().rig.vehicle), GlLost);
+  }
+  const GlContext other;
+  CHECK(cv::norm(drawn(*renderer_of_parking(other), parking().bgr, tones, top), before, cv::NORM_INF) == 0);
+  const GlLoss gone(GlLoss::Kind::kForGood);
+  CHECK_THROWS_WITH(GlContext(), Contains("eglCreateContext") && Contains("EGL_BAD_ALLOC"));
 }

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "tests/catch.h"
+#include "tests/json_schema.h"
 #include "tests/program/small_input.h"
 #include "tests/test_data.h"
 
@@ -47,6 +48,32 @@ TEST_CASE("where there is no OpenGL ES the CPU draws the same, and the report sa
   CHECK_THAT(report["bowl_view"]["without_gl"].get<std::string>(), Contains("no OpenGL ES 3"));
   CHECK(report["frames"]["delivered"] == 3);
   CHECK(report["output"]["sha256"] == Json::parse(by_cpu.out)["output"]["sha256"]);
+}
+
+TEST_CASE("a user who asks for no report is warned, once, that the CPU draws the 3D view and why") {
+  const SmallCarPark park;
+  const std::string warning = "warning: bowl_view: the CPU draws: no OpenGL ES 3";
+  const Arguments options = {"--frames", "2", "--output", "none"};
+  const NoGl none;
+  for (const char* clock : {"steady", "virtual"}) {
+    Arguments arguments = options;
+    arguments.insert(arguments.end(), {"--clock", clock});
+    const auto outcome = park.run("3dsv", arguments);
+    INFO(clock << ": " << outcome.err);
+    CHECK(outcome.status == 0);
+    const size_t said = outcome.err.find(warning);
+    REQUIRE(said != std::string::npos);
+    CHECK(said < outcome.err.find("frames captured"));
+    CHECK(outcome.err.find(warning, said + 1) == std::string::npos);
+  }
+  CHECK_THAT(park.run("3dsv_cpu", options).err, !Contains("the CPU draws"));
+  Arguments reported = options;
+  reported.insert(reported.end(), {"--report", "-"});
+  const std::string text = park.run("3dsv", reported).out;
+  const Json report = Json::parse(text);
+  REQUIRE(report["warnings"].size() == 1);
+  CHECK_THAT(report["warnings"][0].get<std::string>(), Contains("bowl_view: the CPU draws"));
+  if (has_schema_validator()) CHECK(fits_schema("report", text));
 }
 
 TEST_CASE("a run that must not do without OpenGL ES is refused where there is none") {

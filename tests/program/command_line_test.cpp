@@ -42,10 +42,9 @@ TEST_CASE("without anything to do the program says what it needs") {
   CHECK_THAT(outcome.err, Contains("--usecase: error: missing") && Contains("2dsv_2dsp"));
 }
 
-TEST_CASE("help names the commands and options there are, and none that are not") {
+TEST_CASE("help names the commands and options there are") {
   const auto outcome = svchain_program({"--help"});
   CHECK(outcome.status == 0);
-  CHECK_THAT(outcome.out,
-             Contains("validate") && Contains("calibrate") && Contains("--usecase") && Contains("--report"));
-  CHECK_THAT(outcome.out, !Contains("--faults"));
+  CHECK_THAT(outcome.out, Contains("validate") && Contains("calibrate") && Contains("--usecase") &&
+                              Contains("--report") && Contains("--faults"));
 }

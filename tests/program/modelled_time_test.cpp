@@ -1,5 +1,7 @@
 // Modelled time as a user has it: --clock virtual, --no-pixels, svchain explore.
 
+#include <regex>
+
 #include "tests/catch.h"
 #include "tests/json_schema.h"
 #include "tests/program/small_input.h"
@@ -29,6 +31,8 @@ TEST_CASE("a run without pixels reports modelled loads and says what they rest o
   CHECK(report["after_power_up"]["cores"]["DSP2"]["load"].get<double>() == Approx(0.75).margin(0.01));
   CHECK(report["modelled"]["links"]["synthesis"]["basis"].get<std::string>().starts_with("the paper"));
   CHECK(report["modelled"]["links"]["capture"]["basis"] == "assumed");
+  CHECK(report["modelled"]["links"]["capture"]["clock_basis"] == "clock assumed");
+  CHECK(report["modelled"]["links"]["synthesis"]["clock_basis"].get<std::string>().starts_with("the paper"));
   CHECK_FALSE(report.contains("output"));
   if (has_schema_validator()) CHECK(fits_schema("report", outcome.out));
 }
@@ -74,7 +78,8 @@ TEST_CASE("explore tells which placements hold the rate, best first, and writes 
   const auto outcome = svchain_program({"explore", "2dsv_2dsp", "--output", best});
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
-  CHECK(std::count(outcome.out.begin(), outcome.out.end(), '\n') == 1 + 8 + 1 + 8);  // tda2x, tda2eco, tda3x
+  const std::string table = outcome.out.substr(0, outcome.out.find("\n\n"));
+  CHECK(std::count(table.begin(), table.end(), '\n') == 8 + 1 + 8);  // tda2x, tda2eco, tda3x
   const std::string first = outcome.out.substr(outcome.out.find('\n') + 1);
   CHECK(first.find(" yes ") < first.find('\n'));
   CHECK_THAT(outcome.out, Contains("tda2eco") && Contains("synthesis DSP2") && !Contains(" no "));
@@ -91,6 +96,56 @@ TEST_CASE(
   INFO(outcome.err);
   REQUIRE(outcome.status == 0);
   CHECK_THAT(outcome.out, Contains(" no ") && !Contains(" yes ") && Contains("100 %"));
+}
+
+TEST_CASE("the largest view that explore says a TDA2x holds is held, 2 px more are not, and DSP2 is why") {
+  const auto outcome = svchain_program({"explore", "2dsv_2dsp", "--soc", "tda2x"});
+  INFO(outcome.err + outcome.out);
+  REQUIRE(outcome.status == 0);
+  CHECK_THAT(outcome.out, Contains("largest view that holds 30 frames/s") && !Contains("tda3x"));
+  std::smatch said;
+  REQUIRE(std::regex_search(
+      outcome.out, said,
+      std::regex(R"(tda2x +(\d+) x (\d+) px; at (\d+) x (\d+) px (\w+) is full +\(.*synthesis (\w+))")));
+  CHECK(said[5] == "DSP2");
+  CHECK(said[6] == "DSP2");
+  // 600 MHz / 30 / 15.7828 cycles = 1 267 201 px
+  CHECK(said[1] == "1016");
+  CHECK(said[2] == "1246");
+  CHECK(said[3] == "1018");
+  const auto after = [&](const std::string& width, const std::string& height) {  // the minute tells 0.4 %
+    const auto run = svchain_program({"--usecase", "2dsv_2dsp", "--clock", "virtual", "--no-pixels", "--fps",
+                                      "30", "--frames", "2100", "--set",
+                                      "view.size_px=[" + width + "," + height + "]", "--report", "-"});
+    INFO(run.err);
+    REQUIRE(run.status == 0);
+    return Json::parse(run.out)["after_power_up"];
+  };
+  const Json below = after(said[1], said[2]), above = after(said[3], said[4]);
+  CHECK(below["dropped"] == 0);
+  CHECK(below["fps"].get<double>() == Approx(30).epsilon(0.01));
+  CHECK(above["dropped"] > 0);
+  CHECK(above["cores"]["DSP2"]["load"].get<double>() > 0.99);
+  CHECK(above["cores"]["DSP1"]["load"].get<double>() < 0.1);
+}
+
+TEST_CASE("explore takes a SoC of one's own, and says which of its cores have no clock") {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "fast.json", best = folder.path() / "best.json";
+  Json soc = Json::parse(read_text(project_folder() / "configs" / "socs" / "tda2x.json"));
+  soc["name"] = "fast";
+  for (const char* dsp : {"DSP1", "DSP2"}) soc["cores"][dsp]["clock_mhz"] = 1200;
+  write_json(file, soc);
+  const auto outcome = svchain_program({"explore", "2dsv_2dsp", "--soc", file, "--output", best});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  CHECK_THAT(outcome.out, Contains("\nfast") && Contains("synthesis DSP2") && !Contains("tda3x"));
+  CHECK(Json::parse(read_text(best))["soc"] == file.string());
+  soc["cores"]["DSP2"].erase("clock_mhz");
+  write_json(file, soc);
+  const auto refused = svchain_program({"explore", "2dsv_2dsp", "--soc", file});
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.err, Contains("/cores/DSP2") && Contains("\"clock_mhz\" is missing"));
 }
 
 TEST_CASE("explore leaves what is drawn by graphics there, and SoCs without graphics out") {

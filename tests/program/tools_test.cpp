@@ -8,7 +8,8 @@ using namespace svchain::testing;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 
-TEST_CASE("list tells the links with their ports and parameters, the use cases, the SoCs and the lenses") {
+TEST_CASE(
+    "list tells the links with their ports and parameters, the use cases, the SoCs, the lenses and faults") {
   const auto links = svchain_program({"list", "links"});
   CHECK(links.status == 0);
   CHECK_THAT(links.out, Contains("synthesis") && Contains("delta_ms") && Contains("in  frames") &&
@@ -17,6 +18,8 @@ TEST_CASE("list tells the links with their ports and parameters, the use cases, 
   CHECK_THAT(svchain_program({"list", "socs"}).out, Contains("tda3x") && Contains("EVE1"));
   CHECK_THAT(svchain_program({"list", "lenses"}).out,
              Contains("kannala_brandt") && Contains("double_sphere"));
+  CHECK_THAT(svchain_program({"list", "faults"}).out,
+             Contains("failing_parts") && Contains("13 faults") && Contains("120 an hour at random"));
   CHECK_THAT(svchain_program({"list"}).out, Contains("2dsv_2dsp") && Contains("kannala_brandt"));
   CHECK(svchain_program({"list", "rigs"}).status == 2);
 }
@@ -26,12 +29,12 @@ TEST_CASE("validate tells what a sound file is") {
   const auto outcome =
       svchain_program({"validate", project / "usecases/2dsv_2dsp.json", project / "configs/rigs/car.json",
                        project / "configs/socs/tda2x.json", project / "configs/scenes/parking.json",
-                       project / "configs/charts/garage.json"});
+                       project / "configs/charts/garage.json", project / "configs/faults/random.json"});
   INFO(outcome.err);
   CHECK(outcome.status == 0);
   CHECK_THAT(outcome.out, Contains("2dsv_2dsp.json: ok (use case)") && Contains("car.json: ok (rig)"));
   CHECK_THAT(outcome.out, Contains("tda2x.json: ok (SoC)") && Contains("parking.json: ok (scene)") &&
-                              Contains("garage.json: ok (charts)"));
+                              Contains("garage.json: ok (charts)") && Contains("random.json: ok (faults)"));
 }
 
 TEST_CASE("validate tells every fault of every file and still what is sound") {
@@ -49,8 +52,8 @@ TEST_CASE("validate tells every fault of every file and still what is sound") {
   CHECK_THAT(outcome.out, Contains("tda2x.json: ok (SoC)"));
 }
 
-TEST_CASE("every shipped charts file and rig is sound") {
-  for (const char* kind : {"charts", "rigs"}) {
+TEST_CASE("every shipped charts file, rig and fault file is sound") {
+  for (const char* kind : {"charts", "rigs", "faults"}) {
     Arguments arguments = {"validate"};
     for (const auto& file : std::filesystem::directory_iterator(project_folder() / "configs" / kind)) {
       arguments.push_back(file.path());
@@ -74,7 +77,8 @@ TEST_CASE("a graph is drawn as dot, as SVG and as JSON, with the IPC pairs") {
 }
 
 TEST_CASE("schemas are printed for every file format") {
-  for (const char* kind : {"usecase", "rig", "charts", "corners", "calibration", "soc", "scene", "path", "report"}) {
+  for (const char* kind : {"usecase", "rig", "charts", "corners", "calibration", "soc", "costs", "scene",
+                           "path", "faults", "report"}) {
     INFO(kind);
     const auto outcome = svchain_program({"schema", kind});
     CHECK(outcome.status == 0);

@@ -47,8 +47,10 @@ Soc small_soc() {
   Soc soc;
   soc.name = "tda2x";
   soc.title = "TDA2x";
-  soc.cores = {
-      {"A15", "A15", 1000, 2}, {"IPU1", "M4", 200, 2}, {"DSP1", "C66x", 600, 1}, {"DSP2", "C66x", 600, 1}};
+  soc.cores = {{"A15", "A15", 1000, {}, 2},
+               {"IPU1", "M4", 200, {}, 2},
+               {"DSP1", "C66x", 600, {}},
+               {"DSP2", "C66x", 600, {}}};
   soc.roles = {{"host", "A15"}};
   return soc;
 }

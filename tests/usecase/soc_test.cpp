@@ -1,5 +1,7 @@
 #include "framework/usecase/soc.h"
 
+#include <fstream>
+
 #include "tests/catch.h"
 #include "tests/test_data.h"
 #include "tests/usecase/expect.h"
@@ -75,6 +77,39 @@ TEST_CASE("what a SoC file has no figure for costs a default that says so") {
   CHECK_FALSE(costs.has_call("EVE", "synthesis"));
   CHECK(&costs.call("EVE", "synthesis") == &CostModel::kCallWithoutFigure);
   CHECK(&costs.hop("EVE", "SGX") == &CostModel::kIpcWithoutFigure);
+}
+
+TEST_CASE("a clock is published somewhere, noted as something, or assumed") {
+  CHECK(shipped("tda2x").find("DSP2")->clock_basis.starts_with("the paper"));
+  CHECK(shipped("tda2x").find("EVE1")->clock_basis == "clock assumed");
+  const auto plain = parse_soc(R"({"name":"s","cores":{"A":{"kind":"M4","clock_mhz":200}}})", "s.json");
+  REQUIRE(plain);
+  CHECK(plain->find("A")->clock_basis == "assumed");
+}
+
+TEST_CASE("figures of a costs file win over those of the SoC, and all others stay") {
+  const testing::TemporaryFolder folder;
+  const auto file = folder.path() / "costs.json";
+  const auto write = [&](const std::string& text) { std::ofstream(file) << text; };
+  write(
+      R"({"costs":{"cycles":{"C66x":{"dup":{"per_call":7,"source":"measured"}},"EVE":{"edge":{"per_call":1}}}}})");
+  const auto measured = read_cost_file(file);
+  REQUIRE(measured);
+  Soc soc = shipped("tda2x");
+  overlay(soc.costs, *measured);
+  CHECK(soc.costs.call("C66x", "dup").per_call == 7);
+  CHECK(soc.costs.call("C66x", "dup").basis == "measured");
+  CHECK(soc.costs.call("M4", "dup").per_call == 2000);
+  CHECK(soc.costs.call("EVE", "edge").basis == "assumed");
+  CHECK(soc.costs.hop("M4", "C66x").latency_us == 77);
+  CHECK(soc.costs.memory.bytes_per_s == 8.5e9);
+
+  write(R"({"costs":{"cycles":{"C66x":{"dup":{"per_cal":7}}}},"cores":{}})");
+  const auto bad = read_cost_file(file);
+  REQUIRE_FALSE(bad);
+  CHECK(bad.error().size() == 2);
+  check_fault(bad.error(), "", {"unknown key, did you mean \"per_call\"?"});
+  check_fault(bad.error(), "", {"unknown key (known: costs)"});
 }
 
 TEST_CASE("every fault among the costs is reported") {

@@ -1,7 +1,9 @@
 #include "usecases/svchain/chain_run.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <opencv2/core/utility.hpp>
+#include <set>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 #include <thread>
@@ -12,6 +14,18 @@
 #include "usecases/svchain/say_faults.h"
 
 namespace svchain::program {
+
+namespace {
+
+/// Says what the links warn of and has not been said yet.
+void say_warnings(const Chain& chain, std::set<std::string>& said) {
+  for (const auto& warning : chain.report().value("warnings", nlohmann::json::array())) {
+    const std::string text = warning.is_string() ? warning.get<std::string>() : warning.dump();
+    if (said.insert(text).second) spdlog::warn("{}", text);
+  }
+}
+
+}  // namespace
 
 void prepare_libraries() {
   spdlog::set_default_logger(spdlog::stderr_color_mt("svchain"));
@@ -37,9 +51,11 @@ void configure(Chain& chain, Faults& faults) {
 }
 
 void run_to_its_end(Chain& chain, HostLoop& host, const RunNumbers& numbers, const Pace& pace) {
+  std::set<std::string> said;
+  say_warnings(chain, said);
   if (pace.virtual_clock) {
     std::thread attending([&] { host.attend(chain, false, true); });
-    run_by_hand(chain, numbers.order_seed);
+    run_by_hand(chain, numbers.seed);
     host.finish();
     attending.join();
   } else {
@@ -47,6 +63,7 @@ void run_to_its_end(Chain& chain, HostLoop& host, const RunNumbers& numbers, con
     if (chain.state() == ChainState::kRunning) host.attend(chain, true, !pace.real_time);
     chain.stop();
   }
+  say_warnings(chain, said);
 }
 
 void warn_of_outstanding_buffers(const Chain& chain) {

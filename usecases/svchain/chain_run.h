@@ -19,7 +19,8 @@ Pace pace_for(const std::string& input, const RunNumbers& numbers, Faults& fault
 /// Adds what is wrong with the links, and with the rig where no link has looked at it.
 void configure(Chain& chain, Faults& faults);
 
-/// Whether that went well, Chain::failure() tells.
+/// Whether that went well, Chain::failure() tells. What the links warn of is logged: what they know at once
+/// before the first frame, the rest at the end.
 void run_to_its_end(Chain& chain, HostLoop& host, const RunNumbers& numbers, const Pace& pace);
 
 void warn_of_outstanding_buffers(const Chain& chain);

@@ -17,13 +17,14 @@ struct RunOptions {
   std::optional<std::string> frames, fps, seed;
   std::string clock = "steady";
   bool no_pixels = false;
+  std::optional<std::string> faults;   // NAME or FILE
   std::optional<std::string> report;   // a file, or "-" for stdout
   std::optional<std::string> trace;    // a file
   std::optional<std::string> control;  // a file or pipe, or "-" for stdin
 };
 int run(const RunOptions& options);
 
-/// "usecases", "links", "socs", "lenses", or "" for all of them.
+/// "usecases", "links", "socs", "lenses", "faults", or "" for all of them.
 int list(const std::string& what);
 
 int validate(const std::vector<std::filesystem::path>& files);
@@ -38,8 +39,17 @@ struct ExploreOptions {
   UseCaseRequest use_case;
   std::optional<std::string> fps;
   std::optional<std::string> output;  // the best placement, as a use case
+  std::optional<std::string> soc;     // NAME or FILE, the only one to try
 };
 int explore(const ExploreOptions& options);
+
+struct ProfileOptions {
+  UseCaseRequest use_case;
+  std::optional<std::string> frames;  // of each run
+  std::string anchor = "synthesis";   // a link, or a type of link
+  std::string output;                 // the costs file to write
+};
+int profile(const ProfileOptions& options);
 
 int schema(const std::string& kind);
 

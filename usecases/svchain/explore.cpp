@@ -9,9 +9,11 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "framework/chain/modelled_time.h"
 #include "usecases/svchain/chain_run.h"
 #include "usecases/svchain/commands.h"
 #include "usecases/svchain/exit_status.h"
+#include "usecases/svchain/largest_view.h"
 #include "usecases/svchain/placements.h"
 #include "usecases/svchain/run_numbers.h"
 #include "usecases/svchain/say_faults.h"
@@ -73,6 +75,31 @@ void show(const std::vector<Judgement>& judgements) {
   }
 }
 
+std::string text_of(const ViewSize& size) {
+  return std::to_string(size.width_px) + " x " + std::to_string(size.height_px) + " px";
+}
+
+std::string text_of(const ViewLimit& limit) {
+  if (!limit.holds) return "none, not even " + text_of(*limit.drops) + ", where " + limit.cause + " is full";
+  if (!limit.drops) return text_of(*limit.holds) + ", and larger there is none";
+  const std::string cause = limit.cause.empty() ? "nothing comes through" : limit.cause + " is full";
+  return text_of(*limit.holds) + "; at " + text_of(*limit.drops) + " " + cause;
+}
+
+/// For the best placement on every SoC, in their order.
+void show_limits(const RequestedUseCase& requested, const std::vector<Soc>& socs,
+                 const std::vector<Judgement>& judgements, double fps) {
+  std::printf("\nlargest view that holds %g frames/s, as placed best\n", fps);
+  for (const Soc& soc : socs) {
+    const auto best = std::find_if(judgements.begin(), judgements.end(),
+                                   [&](const Judgement& j) { return j.soc == soc.name; });
+    if (best == judgements.end()) continue;
+    const ViewLimit limit = largest_view(requested.use_case, soc, *requested.catalogue, best->placement, fps);
+    std::printf("%-8s  %s  (%s)\n", soc.name.c_str(), text_of(limit).c_str(),
+                text_of(best->placement).c_str());
+  }
+}
+
 /// "LINK.PARAMETER=VALUE" or "SETTING.KEY=VALUE", as the file would say it.
 void write_override(Json& use_case, const std::string& text) {
   const size_t equals = text.find('='), dot = text.substr(0, equals).find('.');
@@ -88,14 +115,36 @@ void write_override(Json& use_case, const std::string& text) {
   (is_link ? use_case["links"][name]["params"] : use_case[name])[key] = value;
 }
 
-void write_best(const RequestedUseCase& requested, const std::vector<std::string>& sets,
-                const Judgement& best, const std::string& path) {
+void write_best(const RequestedUseCase& requested, const ExploreOptions& options, const Judgement& best) {
   std::ifstream in(requested.use_case.file);
   Json use_case = Json::parse(in);
-  use_case["soc"] = best.soc;
-  for (const std::string& set : sets) write_override(use_case, set);
+  use_case["soc"] = options.soc.value_or(best.soc);
+  for (const std::string& set : options.use_case.sets) write_override(use_case, set);
   for (const Placed& placed : best.placement) use_case["links"][placed.link]["core"] = placed.core;
-  write_whole(path, use_case.dump(2) + "\n");
+  write_whole(*options.output, use_case.dump(2) + "\n");
+}
+
+/// The one that is asked for, else all that are shipped.
+std::vector<Soc> socs_to_try(const ExploreOptions& options, Faults& faults) {
+  std::vector<Soc> socs;
+  const auto names = options.soc ? std::vector{*options.soc} : shipped_names(kSocs);
+  for (const std::string& name : names) {
+    auto soc = read_soc_said(name, {"--soc", {}, {}}, options.use_case.costs);
+    if (soc) {
+      socs.push_back(std::move(*soc));
+    } else {
+      append(faults, soc.error());
+    }
+  }
+  return socs;
+}
+
+/// Any core may be tried, so all need a clock.
+Faults clock_faults(const Soc& soc) {
+  Plan plan;
+  plan.soc.name = soc.name;
+  plan.cores = soc.cores;
+  return what_cannot_be_modelled(plan);
 }
 
 }  // namespace
@@ -109,17 +158,11 @@ int explore(const ExploreOptions& options) {
   if (!requested) append(faults, requested.error());
   if (!faults.empty()) return say(faults);
 
-  std::vector<Soc> socs;
-  const Soc* home = nullptr;
-  for (const std::string& name : shipped_names(kSocs)) {
-    auto soc = shipped_soc(name);
-    if (!soc) return say(soc.error());
-    socs.push_back(std::move(*soc));
-  }
-  for (const Soc& soc : socs) {
-    if (soc.name == requested->use_case.soc) home = &soc;
-  }
-  if (!home) return say({requested->use_case.soc_origin.fault("expected a shipped SoC to start from")});
+  const auto home = read_soc_said(requested->use_case.soc, requested->use_case.soc_origin);
+  const std::vector<Soc> socs = socs_to_try(options, faults);
+  if (!home) append(faults, home.error());
+  for (const Soc& soc : socs) append(faults, clock_faults(soc));
+  if (!faults.empty()) return say(faults);
   std::vector<Candidate> candidates;
   for (const Soc& soc : socs) {
     for (Placement& placement : placements(requested->use_case, *home, soc))
@@ -129,7 +172,8 @@ int explore(const ExploreOptions& options) {
     return say({{requested->use_case.file, {}, {}, "no SoC has a place for all links"}});
   const auto judgements = judge_all(*requested, candidates, fps);
   show(judgements);
-  if (options.output) write_best(*requested, options.use_case.sets, judgements.front(), *options.output);
+  show_limits(*requested, socs, judgements, fps);
+  if (options.output) write_best(*requested, options, judgements.front());
   return kDone;
 }
 

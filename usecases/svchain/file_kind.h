@@ -7,9 +7,9 @@
 
 namespace svchain::program {
 
-enum class FileKind { kUseCase, kRig, kSoc, kScene, kCharts, kPath };
+enum class FileKind { kUseCase, kRig, kSoc, kScene, kCharts, kPath, kCosts, kFaults };
 
-/// "use case", "rig", "SoC", "scene", "charts", "path".
+/// "use case", "rig", "SoC", "scene", "charts", "path", "costs", "faults".
 const char* name_of(FileKind kind);
 
 /// A file that is none of them is a fault that says what was looked for.

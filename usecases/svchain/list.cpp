@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "algorithms/geometry/lens_json.h"
+#include "framework/fault/fault_script.h"
 #include "links/builtin_links.h"
 #include "usecases/svchain/commands.h"
 #include "usecases/svchain/exit_status.h"
@@ -50,6 +52,24 @@ void list_socs() {
 
 void list_lenses() {
   for (const std::string& model : geometry::lens_models()) std::cout << model << '\n';
+}
+
+/// "2 faults, 120 an hour at random"
+std::string summary(const FaultScript& script) {
+  std::string text;
+  if (const size_t n = script.entries.size(); n > 0)
+    text = std::to_string(n) + (n == 1 ? " fault" : " faults");
+  if (!script.random) return text;
+  std::ostringstream rate;
+  rate << script.random->per_hour;
+  return text + (text.empty() ? "" : ", ") + rate.str() + " an hour at random";
+}
+
+void list_faults() {
+  for (const std::string& name : shipped_names(kFaultScripts)) {
+    const auto script = read_fault_script(shipped_file(kFaultScripts, name));
+    if (script) std::cout << row(name, summary(*script)) << '\n';
+  }
 }
 
 std::string what_it_takes(const ParameterDescription& d) {
@@ -116,8 +136,11 @@ struct Listing {
   const char* name;
   void (*print)();
 };
-constexpr Listing kListings[] = {
-    {"usecases", list_use_cases}, {"links", list_links}, {"socs", list_socs}, {"lenses", list_lenses}};
+constexpr Listing kListings[] = {{"usecases", list_use_cases},
+                                 {"links", list_links},
+                                 {"socs", list_socs},
+                                 {"lenses", list_lenses},
+                                 {"faults", list_faults}};
 
 }  // namespace
 

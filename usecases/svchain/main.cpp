@@ -37,6 +37,9 @@ void add_run_options(CLI::App& app, RunOptions& run) {
   app.add_option("--rig", use_case.rig, "where the cameras are and what their lenses do")->type_name("FILE");
   app.add_option("--soc", use_case.soc, "whose cores to run on: a name (svchain list socs) or a file")
       ->type_name("NAME|FILE");
+  app.add_option("--costs", use_case.costs,
+                 "with the virtual clock: figures that win over the SoC's, as svchain profile writes them")
+      ->type_name("COSTS.json");
   app.add_option("--set", use_case.sets, "a parameter of a link, or view.KEY=VALUE (may be repeated)")
       ->type_name("LINK.PARAM=VALUE")
       ->allow_extra_args(false);
@@ -58,19 +61,25 @@ void add_run_options(CLI::App& app, RunOptions& run) {
       ->type_name("CLOCK");
   app.add_flag("--no-pixels", run.no_pixels,
                "with the virtual clock: timing alone, thousands of times faster than real time");
-  app.add_option("--seed", run.seed, "with the virtual clock: picks the order in which the cores take turns")
+  app.add_option("--faults", run.faults,
+                 "what breaks in the run, where and when: a name (svchain list faults) or a file")
+      ->type_name("NAME|FILE");
+  app.add_option("--seed", run.seed,
+                 "with the virtual clock: picks the order in which the cores take turns; with faults: what "
+                 "chance decides of them (1)")
       ->type_name("N");
 }
 
 void add_list(CLI::App& app, Command& command) {
-  auto* list_app = app.add_subcommand("list", "what there is: usecases, links, socs, lenses");
+  auto* list_app = app.add_subcommand("list", "what there is: usecases, links, socs, lenses, faults");
   const auto what = std::make_shared<std::string>();
-  list_app->add_option("WHAT", *what, "usecases, links, socs or lenses; everything if left out");
+  list_app->add_option("WHAT", *what, "usecases, links, socs, lenses or faults; everything if left out");
   list_app->callback([what, &command] { command = [what] { return list(*what); }; });
 }
 
 void add_validate(CLI::App& app, Command& command) {
-  auto* validate_app = app.add_subcommand("validate", "checks use cases, rigs, SoCs, scenes and charts");
+  auto* validate_app =
+      app.add_subcommand("validate", "checks use cases, rigs, SoCs, costs, scenes, charts, paths and faults");
   const auto files = std::make_shared<std::vector<std::filesystem::path>>();
   validate_app->add_option("FILE", *files, "files to check")->required();
   validate_app->callback([files, &command] { command = [files] { return validate(*files); }; });
@@ -104,18 +113,45 @@ void add_explore(CLI::App& app, Command& command) {
   explore_app->add_option("--fps", options->fps, "the rate to hold (30)")->type_name("F");
   explore_app->add_option("--output", options->output, "writes the best as a use case")
       ->type_name("BEST.json");
+  explore_app->add_option("--soc", options->soc, "the only one to try; all that are shipped if left out")
+      ->type_name("NAME|FILE");
+  explore_app->add_option("--costs", options->use_case.costs, "as for a run")->type_name("COSTS.json");
   explore_app->add_option("--set", options->use_case.sets, "as for a run")
       ->type_name("LINK.PARAM=VALUE")
       ->allow_extra_args(false);
+  explore_app->add_option("--plugin", options->use_case.plugins, "as for a run")
+      ->type_name("FILE.so")
+      ->allow_extra_args(false);
   explore_app->callback([options, &command] { command = [options] { return explore(*options); }; });
+}
+
+void add_profile(CLI::App& app, Command& command) {
+  auto* profile_app = app.add_subcommand(
+      "profile", "measures a use case's links here and writes what they cost on a SoC, relative to one link");
+  const auto options = std::make_shared<ProfileOptions>();
+  const auto add = [&](const char* name, auto& value, const char* type, const char* help) {
+    return profile_app->add_option(name, value, help)->type_name(type);
+  };
+  UseCaseRequest& use_case = options->use_case;
+  add("USECASE", use_case.use_case, "NAME|FILE", "a name or a file")->required();
+  add("--output", options->output, "COSTS.json", "the file to write, for --costs or a SoC file")->required();
+  add("--anchor", options->anchor, "LINK", "whose cycles the SoC is known to take (synthesis)");
+  add("--soc", use_case.soc, "NAME|FILE", "as for a run");
+  add("--rig", use_case.rig, "FILE", "as for a run");
+  add("--input", use_case.input, "SOURCE", "as for a run, but no live one");
+  add("--frames", options->frames, "N", "frames of each camera to take in each of 20 runs (12)");
+  add("--set", use_case.sets, "LINK.PARAM=VALUE", "as for a run")->allow_extra_args(false);
+  add("--plugin", use_case.plugins, "FILE.so", "as for a run")->allow_extra_args(false);
+  profile_app->callback([options, &command] { command = [options] { return profile(*options); }; });
 }
 
 void add_schema(CLI::App& app, Command& command) {
   auto* schema_app = app.add_subcommand("schema", "the JSON Schema of a file format");
   const auto kind = std::make_shared<std::string>();
   schema_app
-      ->add_option("KIND", *kind,
-                   "usecase, rig, charts, corners, calibration, comparison, soc, scene or report")
+      ->add_option(
+          "KIND", *kind,
+          "usecase, rig, charts, corners, calibration, comparison, soc, costs, scene, path, faults or report")
       ->required();
   schema_app->callback([kind, &command] { command = [kind] { return schema(*kind); }; });
 }
@@ -313,6 +349,7 @@ int obey(int argc, char** argv) {
   add_charts(app, command);
   add_timeline(app, command);
   add_explore(app, command);
+  add_profile(app, command);
   app.require_subcommand(0, 1);
   for (CLI::App* sub : app.get_subcommands({})) sub->allow_extras();
 

@@ -31,7 +31,7 @@ struct Judgement {
   int moved = 0;  // links that are elsewhere than in the file
 };
 
-/// Runs it without pixels at this rate, through power-up and some seconds of modelled time. Throws
+/// Runs it without pixels at this rate, through power-up and a minute of modelled time. Throws
 /// std::runtime_error where the chain cannot be run so. Any thread.
 Judgement judge(UseCase use_case, const Soc& soc, const Catalogue& catalogue, const Placement& placement,
                 double fps);

@@ -61,13 +61,9 @@ std::optional<UseCase> read(const UseCaseRequest& request, Catalogue& catalogue,
   return use_case;
 }
 
-std::optional<Soc> read_soc_of(const std::string& soc, const Origin& said, Faults& faults) {
-  const auto file = taken(find_said(kSocs, soc, said), faults);
-  return file ? taken(read_soc(*file), faults) : std::nullopt;
-}
-
-std::optional<Soc> soc_of(const UseCase& use_case, Faults& faults) {
-  if (!use_case.soc.empty()) return read_soc_of(use_case.soc, use_case.soc_origin, faults);
+std::optional<Soc> soc_of(const UseCase& use_case, const UseCaseRequest& request, Faults& faults) {
+  if (!use_case.soc.empty())
+    return taken(read_soc_said(use_case.soc, use_case.soc_origin, request.costs), faults);
   faults.push_back({use_case.file,
                     {},
                     {},
@@ -104,10 +100,15 @@ Result<RequestedUseCase> read_requested(const UseCaseRequest& request) {
   return RequestedUseCase{std::move(catalogue), std::move(*use_case)};
 }
 
-Result<Soc> shipped_soc(const std::string& name) {
-  const auto file = find_file(kSocs, name);
-  if (!file) return tl::unexpected(file.error());
-  return read_soc(*file);
+Result<Soc> read_soc_said(const std::string& name, const Origin& said,
+                          const std::optional<std::string>& costs_file) {
+  Faults faults;
+  const auto file = taken(find_said(kSocs, name, said), faults);
+  auto soc = file ? taken(read_soc(*file), faults) : std::nullopt;
+  const auto costs = costs_file ? taken(read_cost_file(*costs_file), faults) : std::nullopt;
+  if (!faults.empty()) return tl::unexpected(std::move(faults));
+  if (costs) overlay(soc->costs, *costs);
+  return std::move(*soc);
 }
 
 Result<PlannedUseCase> plan_use_case(const UseCaseRequest& request) {
@@ -116,13 +117,14 @@ Result<PlannedUseCase> plan_use_case(const UseCaseRequest& request) {
   Faults faults;
   auto use_case = read(request, *planned.catalogue, faults);
   if (!use_case) {  // what the command line names can be checked all the same
-    if (!request.soc.empty()) read_soc_of(request.soc, {"--soc", {}, {}}, faults);
+    if (!request.soc.empty())
+      append(faults, faults_of(read_soc_said(request.soc, {"--soc", {}, {}}, request.costs)));
     if (request.rig) append(faults, faults_of(geometry::read_rig(*request.rig)));
     return tl::unexpected(std::move(faults));
   }
   const Faults of_rig = rig_faults(*use_case);
   const bool faulty = !faults.empty();
-  if (auto soc = soc_of(*use_case, faults)) {
+  if (auto soc = soc_of(*use_case, request, faults)) {
     if (faulty) {
       append(faults, plan_faults(std::move(*use_case), std::move(*soc), *planned.catalogue));
     } else if (auto plan =

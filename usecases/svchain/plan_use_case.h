@@ -19,6 +19,7 @@ struct UseCaseRequest {
   std::vector<std::string> sets;     // "LINK.PARAMETER=VALUE"
   std::vector<std::string> plugins;  // shared libraries
   std::optional<std::string> input, output, rig;
+  std::optional<std::string> costs;  // FILE with figures that win over those of the SoC
 };
 
 /// The catalogue keeps the code of plug-ins loaded: it has to outlive the plan's links.
@@ -35,7 +36,9 @@ struct RequestedUseCase {
   UseCase use_case;
 };
 Result<RequestedUseCase> read_requested(const UseCaseRequest& request);
-Result<Soc> shipped_soc(const std::string& name);
+/// By NAME or FILE, with the figures of a costs file over its own. `said`: where it is named.
+Result<Soc> read_soc_said(const std::string& soc, const Origin& said,
+                          const std::optional<std::string>& costs = {});
 
 /// What is wrong with the rig: a bad file, or none although frames from outside need one. Where a plan was
 /// made this is left to the links and to whoever wants to know.

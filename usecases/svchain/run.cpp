@@ -2,12 +2,14 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
+#include "framework/fault/fault_script.h"
 #include "framework/statistics/report_table.h"
 #include "framework/trace/chrome_trace.h"
 #include "usecases/svchain/chain_run.h"
 #include "usecases/svchain/commands.h"
 #include "usecases/svchain/exit_status.h"
 #include "usecases/svchain/say_faults.h"
+#include "usecases/svchain/shipped_files.h"
 #include "usecases/svchain/whole_file.h"
 
 namespace svchain::program {
@@ -33,6 +35,26 @@ Faults control_faults(HostLoop& host, const std::string& path) {
   } catch (const std::runtime_error& error) {
     return {{"--control", {}, {}, error.what()}};
   }
+}
+
+std::optional<FaultScript> read_script(const std::string& name_or_file, Faults& faults) {
+  const auto file = find_file(kFaultScripts, name_or_file);
+  if (!file) {
+    faults.push_back({"--faults", {}, {}, file.error().front().message});
+    return std::nullopt;
+  }
+  auto script = read_fault_script(*file);
+  if (!script) append(faults, script.error());
+  return script ? std::optional(*std::move(script)) : std::nullopt;
+}
+
+/// None where none were asked for, or something is wrong with them.
+std::optional<FaultPlan> placed(const std::optional<FaultScript>& script, const Plan& plan,
+                                const RunNumbers& numbers, Faults& faults) {
+  if (!script) return std::nullopt;
+  auto placed = place_faults(*script, plan, numbers.seed.value_or(1));
+  if (!placed) append(faults, placed.error());
+  return placed ? std::optional(*std::move(placed)) : std::nullopt;
 }
 
 void deliver(const Json& report, const std::string& path) {
@@ -86,12 +108,14 @@ int run(const RunOptions& options) {
   Faults faults = report_faults(options.report);
   append(faults, trace_faults(options.trace));
   const RunNumbers numbers = read_numbers(options, faults);
+  std::optional<FaultScript> script;
+  if (options.faults) script = read_script(*options.faults, faults);
   auto planned = plan_use_case(options.use_case);
   if (!planned) {
     append(faults, planned.error());
     return say(faults);
   }
-  if (numbers.order_seed && !numbers.pace.virtual_clock) {
+  if (numbers.seed && !numbers.pace.virtual_clock && !options.faults) {
     spdlog::warn("--seed picks the order of a virtual run: without --clock virtual it does nothing");
   }
   const Pace pace = pace_for(setting_text(planned->plan.use_case, "input"), numbers, faults);
@@ -103,6 +127,7 @@ int run(const RunOptions& options) {
   ChainOptions chain_options;
   chain_options.pace = pace;
   chain_options.execution = pace.virtual_clock ? Execution::kByHand : Execution::kThreads;
+  chain_options.faults = placed(script, planned->plan, numbers, faults);
   if (options.trace) chain_options.trace_events = kUsualTraceEvents;
   if (pace.virtual_clock) chain_options.costs = planned->plan.soc.costs;
   chain_options.on_finished = [&host] { host.finish(); };

@@ -43,7 +43,7 @@ RunNumbers read_numbers(const RunOptions& options, Faults& faults) {
   numbers.fps = read_fps(options.fps, faults);
   pace.real_time = numbers.fps.has_value();
   pace.fps = numbers.fps.value_or(pace.fps);
-  numbers.order_seed = read_whole_number("--seed", options.seed, {0, 1.8e19}, faults);
+  numbers.seed = read_whole_number("--seed", options.seed, {0, 1.8e19}, faults);
   pace.virtual_clock = options.clock == "virtual";
   if (!pace.virtual_clock && options.clock != "steady") {
     faults.push_back({"--clock",
@@ -56,6 +56,9 @@ RunNumbers read_numbers(const RunOptions& options, Faults& faults) {
   if (!pace.pixels && !pace.virtual_clock) {
     faults.push_back(
         {"--no-pixels", {}, {}, "expected --clock virtual with it: only modelled time needs no pixels"});
+  }
+  if (options.use_case.costs && !pace.virtual_clock) {
+    faults.push_back({"--costs", {}, {}, "expected --clock virtual with it: only modelled time has costs"});
   }
   return numbers;
 }

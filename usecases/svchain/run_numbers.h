@@ -9,9 +9,9 @@
 namespace svchain::program {
 
 struct RunNumbers {
-  Pace pace;                           // as far as the options say
-  std::optional<double> fps;           // --fps: in real time, at this rate
-  std::optional<uint64_t> order_seed;  // --seed: the order in which a virtual run steps its cores
+  Pace pace;                     // as far as the options say
+  std::optional<double> fps;     // --fps: in real time, at this rate
+  std::optional<uint64_t> seed;  // --seed: the order in which a virtual run steps its cores, and of faults
 };
 
 /// All of the text, within the range; nothing where there is no text, and a fault where it is something else.

@@ -13,8 +13,9 @@
 namespace svchain::program {
 
 int schema(const std::string& kind) {
-  static const std::vector<std::string> kKinds = {"usecase",    "rig", "charts", "corners", "calibration",
-                                                  "comparison", "soc", "scene",  "path",    "report"};
+  static const std::vector<std::string> kKinds = {"usecase",     "rig",        "charts", "corners",
+                                                  "calibration", "comparison", "soc",    "costs",
+                                                  "scene",       "path",       "faults", "report"};
   if (std::find(kKinds.begin(), kKinds.end(), kind) == kKinds.end()) {
     return say({{"schema",
                  {},

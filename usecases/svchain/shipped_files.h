@@ -1,6 +1,6 @@
 #pragma once
-// Use cases, SoCs and scenes by name or by file: the names of those that come with the program, anything else
-// is a file. One thread.
+// Use cases, SoCs, scenes and faults by name or by file: the names of those that come with the program,
+// anything else is a file. One thread.
 
 #include <filesystem>
 #include <string>
@@ -18,6 +18,7 @@ struct Shelf {
 inline constexpr Shelf kUseCases = {"usecases", "use case"};
 inline constexpr Shelf kScenes = {"configs/scenes", "scene"};
 inline constexpr Shelf kSocs = {"configs/socs", "SoC"};
+inline constexpr Shelf kFaultScripts = {"configs/faults", "fault file"};
 
 /// Names on a shelf, sorted.
 std::vector<std::string> shipped_names(const Shelf& shelf);

@@ -4,6 +4,7 @@
 #include "algorithms/calibration/charts.h"
 #include "algorithms/geometry/rig.h"
 #include "algorithms/scene/scene_file.h"
+#include "framework/fault/fault_script.h"
 #include "usecases/svchain/commands.h"
 #include "usecases/svchain/exit_status.h"
 #include "usecases/svchain/file_kind.h"
@@ -35,6 +36,10 @@ Faults check(const fs::path& file, FileKind kind) {
       return faults_of(calibration::read_charts(file));
     case FileKind::kPath:
       return faults_of(bowl::read_path(file, kUsualCar, bowl::default_surface(kUsualCar)));
+    case FileKind::kCosts:
+      return faults_of(read_cost_file(file));
+    case FileKind::kFaults:
+      return faults_of(read_fault_script(file));
   }
   return {};
 }

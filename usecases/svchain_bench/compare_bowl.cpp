@@ -7,6 +7,7 @@
 #include "algorithms/car/default_car.h"
 #include "algorithms/gl/gl_context.h"
 #include "usecases/svchain_bench/comparisons.h"
+#include "usecases/svchain_bench/gl_stages.h"
 #include "usecases/svchain_bench/round_trips.h"
 #include "usecases/svchain_bench/surround_view.h"
 #include "usecases/svchain_bench/synthesis_scene.h"
@@ -107,6 +108,17 @@ double standing_over_2d(const ParkedCar& car) {
       .ratio;
 }
 
+void stages_by_gl(Results& results, const ParkedCar& car) {
+  const SynthesisScene scene(car);
+  const GlStages bgr = gl_stages(car, scene, &SynthesisScene::Set::bgr_pictures);
+  results.figures["bowl.gpu_upload_ms"] = bgr.upload_ms;
+  results.figures["bowl.gpu_draw_ms"] = bgr.draw_ms;
+  results.figures["bowl.gpu_read_back_ms"] = bgr.read_back_ms;
+  const GlStages nv12 = gl_stages(car, scene, &SynthesisScene::Set::nv12_pictures);
+  results.figures["bowl.gpu_upload_nv12_ms"] = nv12.upload_ms;
+  results.figures["bowl.gpu_draw_nv12_ms"] = nv12.draw_ms;
+}
+
 }  // namespace
 
 void compare_bowl(Results& results, const Progress& progress) {
@@ -122,6 +134,8 @@ void compare_bowl(Results& results, const Progress& progress) {
   results.figures["bowl.gpu_fps"] = fps(car, {"3dsv", {}});
   results.figures["bowl.gpu_standing_fps"] = fps(car, {"3dsv", {"bowl_view.viewpoint=chase"}});
   results.figures["bowl.gpu_nv12_fps"] = fps(car, {"3dsv", {"capture.format=nv12"}});
+  progress("bowl stages by OpenGL ES");
+  stages_by_gl(results, car);
 }
 
 }  // namespace svchain::bench

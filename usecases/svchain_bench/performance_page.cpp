@@ -85,7 +85,8 @@ Section figures(const Results& results) {
       "Figures",
       "From capture to display: the 99th percentile at 30 frames/s, ms. On one core: what one link more "
       "costs a frame, ns. Cost per pixel: the largest over the smallest as the composite grows, all pixels "
-      "counted. The bowl: frames/s of `3dsv` (on an orbit, standing, with NV12) and of `3dsv_cpu` on two "
+      "counted. The bowl: frames/s of `3dsv` (on an orbit, standing, with NV12); what the stages of a frame "
+      "on the orbit take, ms, each waited for, as no run does; frames/s of `3dsv_cpu` on two "
       "CPUs on an orbit, the car included; a standing viewpoint's frame over the 2D view's, one thread "
       "each; and what a viewpoint's LUT, the car's picture and a mesh table take on one thread. The last "
       "line is about the machine: how many CPUs two busy threads got, the "
