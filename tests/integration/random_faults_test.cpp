@@ -31,9 +31,7 @@ uint64_t number_from(const char* variable, uint64_t fallback) {
 
 TEST_CASE("whatever breaks, every frame is delivered or counted, and full rate is back within a second") {
   const SurroundView world;
-  const uint64_t first =
-      std::getenv("SVCHAIN_FIRST_SEED") ? std::stoull(std::getenv("SVCHAIN_FIRST_SEED")) : 1;
-  const uint64_t count = std::getenv("SVCHAIN_SEEDS") ? std::stoull(std::getenv("SVCHAIN_SEEDS")) : 12;
+  const uint64_t first = number_from("SVCHAIN_FIRST_SEED", 1), count = number_from("SVCHAIN_SEEDS", 12);
   for (const std::string use_case : {"2dsv_2dsp", "2dsv_1dsp", "3dsv", "2d3dsv"}) {
     for (uint64_t seed = first; seed < first + count; ++seed) {
       INFO("SVCHAIN_FIRST_SEED=" << seed << " SVCHAIN_SEEDS=1 for " << use_case);
