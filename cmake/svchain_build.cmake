@@ -17,6 +17,9 @@ endif()
 set(SVCHAIN_SANITIZE "" CACHE STRING "Sanitizers for everything, as in -fsanitize=: address,undefined or thread")
 if(SVCHAIN_SANITIZE)
   add_compile_options(-fsanitize=${SVCHAIN_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  # Two of the undefined ones would take a third of the time that compiling takes. The address sanitizer finds null
+  # pointers by itself, and the processors at hand load from any address.
+  add_compile_options(-fno-sanitize=null,alignment)
   add_link_options(-fsanitize=${SVCHAIN_SANITIZE})
 endif()
 

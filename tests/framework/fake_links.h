@@ -53,8 +53,8 @@ class Numbers : public Link {
     std::memcpy(draft.bytes().data(), &v, sizeof(v));
     draft.set_sequence(next_++);
     call.captured(1);
-    call.send(0, std::move(draft));
     if (timed_) call.wake_at(static_cast<int64_t>(next_) * 1'000'000);
+    call.send(0, std::move(draft));
   }
 
  private:
