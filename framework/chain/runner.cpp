@@ -190,7 +190,7 @@ void Runner::record(Gathered what, int64_t end_ns) {
   if (what == Gathered::kCall) {
     counters_.process.record(end_ns - now_ns_);
     if (!is_source()) counters_.latency.record(end_ns - trigger_.captured_ns);
-    if (faults_ && faults_->recovery) faults_->recovery->delivered(end_ns);
+    if (faults_ && faults_->recovery && !threw_) faults_->recovery->delivered(end_ns);
   }
   if (!recorder_) return;
   if (what == Gathered::kCall)
@@ -294,18 +294,18 @@ Runner::Gathered Runner::gather_any() {
 
 void Runner::call_link() {
   for (Out& out : outputs_) out.sent = false;
-  bool threw = true;
+  threw_ = true;
   try {
     if (faults_ && !throws_as_it_sends()) throw_if_struck(trigger_.sequence);
     link_->process(*this);
     if (faults_ && faults_->takes_time) take_longer(now_ns_);
-    threw = false;
+    threw_ = false;
   } catch (const std::exception& error) {
     fail(error.what());
   } catch (...) {
     fail("threw something that is no std::exception");
   }
-  if (!threw) counters_.processed.add();
+  if (!threw_) counters_.processed.add();
   leave_absences();
 }
 

@@ -218,6 +218,7 @@ class alignas(ipc::kCacheLine) Runner final : public Call {
   std::atomic<bool> end_requested_{false};
   bool called_ = false;
   Gathered under_way_ = Gathered::kNothing;  // from begin_call() to end_call()
+  bool threw_ = false;                       // the last call
   bool failed_ = false;
   bool feedback_excused_ = false;
   Moment trigger_;

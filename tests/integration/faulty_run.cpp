@@ -1,5 +1,6 @@
 #include "tests/integration/faulty_run.h"
 
+#include <chrono>
 #include <future>
 #include <stdexcept>
 
@@ -64,7 +65,7 @@ Json run_modelled(const SurroundView& world, const FaultyRun& run) {
   ChainOptions options = options_of(run, plan);
   options.execution = Execution::kByHand;
   options.pace.virtual_clock = true;
-  options.pace.pixels = false;
+  options.pace.pixels = run.pixels;
   options.costs = plan.soc.costs;
   Chain chain(std::move(plan), std::move(options));
   configure(chain);
@@ -80,9 +81,14 @@ Json run_on_threads(const SurroundView& world, const FaultyRun& run) {
   Chain chain(std::move(plan), std::move(options));
   configure(chain);
   chain.start();
-  finished.get_future().wait();
+  const std::future<void> end = finished.get_future();
+  end.wait_for(std::chrono::duration<double>(run.looked_at_s));
+  const uint64_t delivered = chain.progress().delivered;
+  end.wait();
   chain.stop();
-  return report_of(chain);
+  Json report = report_of(chain);
+  report["delivered_since"] = report["frames"]["delivered"].get<uint64_t>() - delivered;
+  return report;
 }
 
 std::string unbalanced(const Json& report) {

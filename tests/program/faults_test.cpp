@@ -1,6 +1,7 @@
 // --faults: what is wrong with a fault file is told before the run, beside all other faults.
 
 #include "tests/catch.h"
+#include "tests/json_schema.h"
 #include "tests/program/small_input.h"
 #include "tests/test_data.h"
 
@@ -71,4 +72,56 @@ TEST_CASE("a seed does nothing without virtual time and without faults, and the 
   const auto with_faults = run({"--faults", "random"});
   CHECK(with_faults.status == 0);
   CHECK_THAT(with_faults.err, !Contains("--seed"));
+}
+
+TEST_CASE("a run in which parts fail ends well, every fault strikes, and its report fits the schema") {
+  const auto outcome =
+      svchain_program({"--usecase", "2dsv_2dsp", "--clock", "virtual", "--no-pixels", "--fps", "30",
+                       "--frames", "1200", "--faults", "failing_parts", "--report", "-"});
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  const Json faults = Json::parse(outcome.out)["faults"];
+  CHECK(faults["seed"] == 1);
+  CHECK(faults["recovery"]["slowest_s"].get<double>() < 1);
+  CHECK(faults["list"].size() == 12);
+  for (const Json& fault : faults["list"]) {
+    INFO(fault.dump());
+    CHECK(fault["times"] > 0);
+  }
+  if (!has_schema_validator()) return;
+  CHECK(fits_schema("report", outcome.out));
+  Json wrong = Json::parse(outcome.out);
+  wrong["faults"]["list"][0]["kind"] = "nothing";
+  CHECK_FALSE(fits_schema("report", wrong.dump()));
+}
+
+TEST_CASE("a link that throws ends the run with status 1, and costs its frames where --set says so") {
+  const TemporaryFolder folder;
+  write_text(folder.path() / "throw.json",
+             R"({"faults": [{"kind": "throw", "at": "synthesis", "from_s": 8, "to_s": 9}]})");
+  const auto run = [&](const Arguments& more) {
+    Arguments all = {"--usecase",
+                     "2dsv_2dsp",
+                     "--clock",
+                     "virtual",
+                     "--no-pixels",
+                     "--fps",
+                     "30",
+                     "--frames",
+                     "300",
+                     "--faults",
+                     folder.path() / "throw.json",
+                     "--report",
+                     "-"};
+    all.insert(all.end(), more.begin(), more.end());
+    return svchain_program(all);
+  };
+  const auto stopped = run({});
+  CHECK(stopped.status == 1);
+  CHECK_THAT(stopped.err, Contains("synthesis") && Contains("a fault of the fault file"));
+  const auto dropped = run({"--set", "synthesis.on_error=drop"});
+  INFO(dropped.err);
+  REQUIRE(dropped.status == 0);
+  const Json report = Json::parse(dropped.out);
+  CHECK(report["frames"]["dropped"]["error"] == report["faults"]["list"][0]["times"]);
 }

@@ -19,7 +19,7 @@ TEST_CASE(
   CHECK_THAT(svchain_program({"list", "lenses"}).out,
              Contains("kannala_brandt") && Contains("double_sphere"));
   CHECK_THAT(svchain_program({"list", "faults"}).out,
-             Contains("failing_parts") && Contains("13 faults") && Contains("120 an hour at random"));
+             Contains("failing_parts") && Contains("12 faults") && Contains("120 an hour at random"));
   CHECK_THAT(svchain_program({"list"}).out, Contains("2dsv_2dsp") && Contains("kannala_brandt"));
   CHECK(svchain_program({"list", "rigs"}).status == 2);
 }

@@ -82,6 +82,18 @@ TEST_CASE("an override by --set says how many CPUs a core has") {
   check_fault(faults, "--set cpus.DSP1=two: error", {"got \"two\""});
 }
 
+TEST_CASE("an override by --set says what an error in a link does") {
+  const auto use_case = with({"synthesis.on_error=drop", "sync.on_error=drop", "sync.on_error=stop"});
+  REQUIRE(use_case);
+  CHECK(use_case->links[4].on_error == OnError::kDrop);
+  CHECK(use_case->links[1].on_error == OnError::kStop);
+  CHECK(use_case->links[0].on_error == OnError::kStop);
+  const auto faults = faults_with({"synthesis.on_error=dorp", "synthesis.on_eror=drop"});
+  CHECK(faults.size() == 2);
+  check_fault(faults, "--set synthesis.on_error=dorp: error", {"expected stop or drop", "got \"dorp\""});
+  check_fault(faults, "--set synthesis.on_eror=drop: error", {"unknown parameter \"on_eror\""});
+}
+
 TEST_CASE("faults of the file and of --set come together") {
   const auto use_case = parse_use_case(R"({"name": "t", "links": {"a": {"type": "captur", "core": "IPU1"}}})",
                                        "t.json", testing::fake_catalogue(), {{"a.x=1"}, {"b.x=1"}});
