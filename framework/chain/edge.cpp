@@ -32,7 +32,11 @@ Edge::Edge(std::string name, int depth, Policy policy, const End& producer, cons
       clock_(clock),
       local_(way_ <= Way::kModelled ? static_cast<size_t>(depth_) + 1 : 0),
       latency_ns_(modelled_latency_ns.value_or(0)) {
-  if (way_ <= Way::kModelled) return;
+  if (way_ <= Way::kModelled) {
+    own_waits_ = std::make_unique<Waits>();
+    waits_ = own_waits_.get();
+    return;
+  }
   const size_t capacity = static_cast<size_t>(depth_) + 1;  // the end has a slot of its own
   const bool evicting = way_ == Way::kEvicting;
   region_ = ipc::SharedRegion(
@@ -54,22 +58,21 @@ void Edge::set_recorders(int number, Recorder& producer, Recorder& consumer) {
 
 /// What the producer knows to lie there, what it has not published yet among it.
 size_t Edge::queued() {
-  const size_t late = late_.size();
   switch (way_) {
     case Way::kLocal:
-      return local_.size() + late;
+      return local_.size() + late();
     case Way::kModelled:
-      return local_.size() + held_back_.size() + late;
+      return local_.size() + held_back_.size() + late();
     case Way::kAcross:
-      return ring_.filled() + late;
+      return ring_.filled() + late();
     case Way::kEvicting:
-      return evicting_.size() + late;
+      return evicting_.size() + late();
   }
   return 0;
 }
 
 int Edge::room() {
-  if (faults_ && faults_->in_force(FaultKind::kFull)) return 0;
+  if (in_force(FaultKind::kFull)) return 0;
   if (policy_ != Policy::kBlock) return depth_;
   return std::max(0, depth_ - static_cast<int>(queued()));
 }
@@ -77,9 +80,9 @@ int Edge::room() {
 bool Edge::has_room() {
   const auto depth = static_cast<size_t>(depth_);
   if (policy_ != Policy::kBlock) return true;
-  if (faults_) {
-    if (faults_->in_force(FaultKind::kFull)) return false;  // the core looks again when that is over
-    if (!late_.empty() && queued() >= depth) return false;
+  if (trouble_) {
+    if (in_force(FaultKind::kFull)) return false;  // the core looks again when that is over
+    if (late() > 0 && queued() >= depth) return false;
   }
   if (way_ == Way::kLocal) return local_.size() < depth;
   if (way_ == Way::kModelled) return queued() < depth;
@@ -94,11 +97,11 @@ void Edge::send(const ipc::Message& message) {
 }
 
 void Edge::leave(const ipc::Message& message) {
-  faults_ ? leave_if_nothing_is_wrong(message) : apply_policy(message);
+  trouble_ ? leave_if_nothing_is_wrong(message) : apply_policy(message);
 }
 
 void Edge::apply_policy(const ipc::Message& message) {
-  const bool full = faults_ && policy_ != Policy::kBlock && faults_->in_force(FaultKind::kFull);
+  const bool full = policy_ != Policy::kBlock && in_force(FaultKind::kFull);
   if (full || (policy_ == Policy::kDropNewest && queued() >= static_cast<size_t>(depth_)))
     return drop(message, "queue_full");
   size_t taken_back = 0;
@@ -114,7 +117,7 @@ void Edge::send_end() {
   ipc::Message end;
   end.kind = ipc::MessageKind::kEnd;
   if (way_ == Way::kModelled) return held_back_.push_back(end);
-  late_.empty() ? void(push(end)) : hold_up(end, late_.back().due_ns);
+  late() == 0 ? void(push(end)) : hold_up(end, 0);
 }
 
 /// Never full: depth is kept by has_room() and the policies, and the end has a slot of its own. Returns when
@@ -241,7 +244,7 @@ void Edge::hand_over(int64_t now_ns) {
   for (ipc::Message& message : leaving_) {
     message.sent_ns = now_ns;
     if (message.kind == ipc::MessageKind::kEnd) {
-      late_.empty() ? void(push(message)) : hold_up(message, late_.back().due_ns);
+      late() == 0 ? void(push(message)) : hold_up(message, 0);
     } else {
       leave(message);
       high_water_ = std::max(high_water_, local_.size());

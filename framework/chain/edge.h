@@ -15,6 +15,7 @@
 // Thread rule: the functions of the producer on its core, those of the consumer on its core.
 
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -84,7 +85,7 @@ class Edge {
   void send(const ipc::Message& message);
   /// A state that has got lost.
   void send_again(const ipc::Message& message) {
-    ++times_again_;
+    if (trouble_) ++trouble_->times_again;
     send(message);
   }
   /// The end always finds a place.
@@ -97,7 +98,7 @@ class Edge {
   /// The consumer has asked for the newest state again. Once true, the request is taken.
   bool takes_request() { return waits_->state.take(); }
   /// A message that was sent since the last look has been lost to a fault.
-  bool take_lost() { return std::exchange(lost_, false); }
+  bool take_lost() { return trouble_ && std::exchange(trouble_->lost, false); }
   /// Messages that a fault has held up leave now if their time has come and there is room.
   void send_late(int64_t now_ns);
   /// Lets go of them all, the chain having stopped.
@@ -145,6 +146,17 @@ class Edge {
     ipc::Message message;
     int64_t due_ns;
   };
+  /// Of an edge in a run in which things break.
+  struct Trouble {
+    FaultSite& site;
+    CoreFaults& core;
+    uint16_t place;
+    std::deque<Late> late = {};
+    bool lost = false;
+    uint64_t times_again = 0;
+  };
+  bool in_force(FaultKind kind) const { return trouble_ && trouble_->site.in_force(kind); }
+  size_t late() const { return trouble_ ? trouble_->late.size() : 0; }
 
   size_t queued();
   int64_t push(const ipc::Message& message);
@@ -171,8 +183,8 @@ class Edge {
   int number_ = 0;                                                        // for the recorders
   Recorder *producer_recorder_ = nullptr, *consumer_recorder_ = nullptr;  // null: not traced
   ipc::SharedRegion region_;  // of an edge between cores: Waits, then the ring
-  Waits own_waits_;           // of an edge within one thread
-  Waits* waits_ = &own_waits_;
+  std::unique_ptr<Waits> own_waits_;  // of an edge within one thread
+  Waits* waits_ = nullptr;
   LocalRing local_;  // of kModelled too
   std::vector<ipc::Message> held_back_, leaving_;
   int64_t latency_ns_ = 0;
@@ -183,12 +195,7 @@ class Edge {
   alignas(ipc::kCacheLine) Counter messages_, full_;
   uint32_t sent_ = 0;  // the number of the message sent last
   DropCounts dropped_;
-  FaultSite* faults_ = nullptr;  // null: nothing goes wrong here
-  CoreFaults* core_faults_ = nullptr;
-  std::deque<Late> late_;
-  bool lost_ = false;
-  uint64_t times_again_ = 0;
-  uint16_t place_ = 0;
+  std::unique_ptr<Trouble> trouble_;  // null: nothing goes wrong here
   // The consumer's.
   alignas(ipc::kCacheLine) bool awaits_ = false;  // front() has found nothing
   bool claimed_ = false;                          // kEvicting: the front is out of the ring

@@ -6,31 +6,30 @@
 namespace svchain {
 
 void Edge::set_faults(FaultSite& site, CoreFaults& core, uint16_t place) {
-  faults_ = &site;
-  core_faults_ = &core;
-  place_ = place;
+  trouble_ = std::make_unique<Trouble>(Trouble{site, core, place});
 }
 
 /// A source that gives nothing leaves no word of it.
 void Edge::leave_if_nothing_is_wrong(ipc::Message message) {
-  const uint64_t occasion = message.sequence + (times_again_ << 40);
-  if (faults_->strike(FaultKind::kDropout, occasion)) return lose(message, "dropout");
-  if (faults_->strike(FaultKind::kLost, occasion)) {
+  const uint64_t occasion = message.sequence + (trouble_->times_again << 40);
+  FaultSite& site = trouble_->site;
+  if (site.strike(FaultKind::kDropout, occasion)) return lose(message, "dropout");
+  if (site.strike(FaultKind::kLost, occasion)) {
     if (message.kind == ipc::MessageKind::kAbsence) return apply_policy(message);  // which says as little
     lose(message, kLostOnEdge);
     message.kind = ipc::MessageKind::kAbsence;
     message.count = 0;
-    message.lost_at = place_;
+    message.lost_at = trouble_->place;
   }
   const int64_t now_ns = clock_.now_ns();
-  const PlannedFault* late = faults_->strike(FaultKind::kLate, occasion);
-  if (!late && late_.empty()) return apply_policy(message);
+  const PlannedFault* late = site.strike(FaultKind::kLate, occasion);
+  if (!late && trouble_->late.empty()) return apply_policy(message);
   hold_up(message, now_ns + (late ? late->amount_ns : 0));
 }
 
 void Edge::lose(const ipc::Message& message, const char* reason) {
   if (message.kind != ipc::MessageKind::kFrame) return;
-  lost_ = true;
+  trouble_->lost = true;
   dropped_.add(reason);
   if (producer_recorder_) producer_recorder_->edge_dropped(number_, reason);
   Frame(message, *producer_.holder).release();
@@ -38,26 +37,29 @@ void Edge::lose(const ipc::Message& message, const char* reason) {
 
 /// Nothing overtakes what was sent before it.
 void Edge::hold_up(const ipc::Message& message, int64_t due_ns) {
-  if (!late_.empty()) due_ns = std::max(due_ns, late_.back().due_ns);
-  late_.push_back({message, due_ns});
-  core_faults_->look_again_at(late_.front().due_ns);
+  std::deque<Late>& late = trouble_->late;
+  if (!late.empty()) due_ns = std::max(due_ns, late.back().due_ns);
+  late.push_back({message, due_ns});
+  trouble_->core.look_again_at(late.front().due_ns);
 }
 
 void Edge::send_late(int64_t now_ns) {
-  if (late_.empty()) return;
-  for (; !late_.empty() && late_.front().due_ns <= now_ns; late_.pop_front()) {
-    ipc::Message& message = late_.front().message;
+  if (late() == 0) return;
+  std::deque<Late>& late = trouble_->late;
+  for (; !late.empty() && late.front().due_ns <= now_ns; late.pop_front()) {
+    ipc::Message& message = late.front().message;
     message.sent_ns = now_ns;
     message.kind == ipc::MessageKind::kEnd ? void(push(message)) : apply_policy(message);
   }
   publish(now_ns);
   if (way_ == Way::kModelled) tell_if_arrived();
-  if (!late_.empty()) core_faults_->look_again_at(late_.front().due_ns);
+  if (!late.empty()) trouble_->core.look_again_at(late.front().due_ns);
 }
 
 void Edge::drop_late() {
-  for (const Late& late : late_) Frame(late.message, *producer_.holder).release();
-  late_.clear();
+  if (!trouble_) return;
+  for (const Late& late : trouble_->late) Frame(late.message, *producer_.holder).release();
+  trouble_->late.clear();
 }
 
 bool Edge::request_newest() {

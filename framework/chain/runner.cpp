@@ -37,6 +37,7 @@ void Runner::connect_input(int port, Edge& edge, bool feedback, bool exact) {
   in.feedback = feedback;
   if (feedback) in.optional = true;  // its initial token is the link's own initial state
   if (feedback && !exact) in.intake = Intake::kState;
+  takes_states_ = takes_states_ || in.intake == Intake::kState;
   edge.set_wants_absence(in.intake == Intake::kEach);
 }
 
@@ -74,11 +75,7 @@ Runner::Waiting Runner::waiting(int64_t now_ns) {
 
 /// States first, whatever else is missing: who sends them may be what the rest waits for.
 Runner::Waiting Runner::waiting_inputs() {
-  for (In& in : inputs_) {
-    if (!in.edge || in.intake != Intake::kState) continue;
-    absorb_newest(in);
-    if (in.lost) in.edge->request_newest();
-  }
+  if (takes_states_) absorb_states();
   int feedback_port = -1;
   bool any = false;
   for (size_t i = 0; i < inputs_.size(); ++i) {
@@ -130,6 +127,14 @@ bool Runner::feedback_ready(In& in) {
     take_front(in);
   }
   return !called_;
+}
+
+void Runner::absorb_states() {
+  for (In& in : inputs_) {
+    if (!in.edge || in.intake != Intake::kState) continue;
+    absorb_newest(in);
+    if (in.lost) in.edge->request_newest();
+  }
 }
 
 void Runner::absorb_newest(In& in) {

@@ -173,6 +173,7 @@ class alignas(ipc::kCacheLine) Runner final : public Call {
   Waiting waiting_outputs();
   bool has_memory(Pool& pool) const;
   bool feedback_ready(In& in);
+  void absorb_states();
   void absorb_newest(In& in);
   bool fronts_are_there();
   Gathered act(int64_t now_ns);
@@ -214,6 +215,7 @@ class alignas(ipc::kCacheLine) Runner final : public Call {
   State state_ = State::kIdle;
   bool calls_without_room_ = false;
   bool keeps_newest_ = false;  // of some output
+  bool takes_states_ = false;  // at some input
   int64_t send_again_ns_ = kNever, sent_again_ns_ = 0;
   std::atomic<bool> end_requested_{false};
   bool called_ = false;
