@@ -103,26 +103,47 @@ double power_up_s(const SurroundView& world, const std::string& use_case) {
   return run_on_threads(world, run_of(use_case, 1.0 / 30))["wall_s"].get<double>();
 }
 
+/// The breakdown with all its times `slower` times as long; "from_s" and "to_s" count from `up_s`.
+FaultyRun breaking_down(const Breakdown& breakdown, double up_s, double slower) {
+  FaultyRun run = run_of(breakdown.use_case, up_s + slower * breakdown.lasting_s);
+  run.faults = breakdown.faults;
+  for (Json& entry : run.faults) {
+    const double from_s = entry["from_s"], to_s = entry["to_s"];
+    // A table is sent when all comes up, and once.
+    if (from_s > 0) entry["from_s"] = up_s + slower * from_s;
+    entry["to_s"] = up_s + slower * to_s;
+    run.looked_at_s = std::max(run.looked_at_s, entry["to_s"].get<double>());
+  }
+  return run;
+}
+
+/// The faults that never struck, one a line.
+std::string idle_faults(const Json& report) {
+  std::string idle;
+  for (const Json& struck : report["faults"]["list"]) {
+    if (struck["times"] == 0) idle += struck.dump() + "\n";
+  }
+  return idle;
+}
+
+/// A fault strikes where a link is called, and a slow machine may call a link less often than the faults of
+/// it last: then all is gone through once more, slower.
 void go_through(const Breakdown& breakdown) {
   const SurroundView world;
   const double up_s = 2 * power_up_s(world, breakdown.use_case);
-  FaultyRun run = run_of(breakdown.use_case, up_s + breakdown.lasting_s);
-  run.faults = breakdown.faults;
-  for (Json& entry : run.faults) {
-    // A table is sent when all comes up, and once.
-    if (entry["from_s"] > 0) entry["from_s"] = entry["from_s"].get<double>() + up_s;
-    entry["to_s"] = entry["to_s"].get<double>() + up_s;
-    run.looked_at_s = std::max(run.looked_at_s, entry["to_s"].get<double>());
+  std::string idle;
+  for (const double slower : {1, 3, 9}) {
+    const Json report = run_on_threads(world, breaking_down(breakdown, up_s, slower));
+    INFO("up after " << up_s << " s, " << slower << " times slower; " << report["frames"].dump()
+                     << report["faults"].dump(1));
+    CHECK(report.value("failure", "") == "");
+    CHECK(unbalanced(report) == "");
+    idle = idle_faults(report);
+    if (!idle.empty()) continue;
+    CHECK(report["delivered_since"] > 0);
+    return;
   }
-  const Json report = run_on_threads(world, run);
-  INFO("up after " << up_s << " s; " << report["frames"].dump() << report["faults"].dump(1));
-  CHECK(report.value("failure", "") == "");
-  CHECK(unbalanced(report) == "");
-  for (const Json& struck : report["faults"]["list"]) {
-    INFO(struck.dump());
-    CHECK(struck["times"] > 0);
-  }
-  CHECK(report["delivered_since"] > 0);
+  FAIL("these never struck:\n" << idle);
 }
 
 }  // namespace
