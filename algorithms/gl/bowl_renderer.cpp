@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/car/car_picture.h"
 #include "algorithms/gl/bowl_pass.h"
 #include "algorithms/gl/camera_textures.h"
 #include "algorithms/gl/car_layer.h"
@@ -44,6 +45,28 @@ std::array<Eigen::Vector2f, kCameraCount> lens_centres_px(const geometry::Rig& r
   return centres;
 }
 
+/// The car by the CPU, painted anew only where it is seen from elsewhere.
+class PaintedCar {
+ public:
+  PaintedCar(const car::CarModel& model, const geometry::Vehicle& vehicle) : picture_(model, vehicle) {}
+
+  void show_from(const bowl::Viewpoint& viewpoint, const Eigen::Vector2i& size_px, float opacity) {
+    if (opacity == opacity_ && viewpoint == viewpoint_) return;
+    picture_.render(car::seen_from(viewpoint, size_px), opacity);
+    viewpoint_ = viewpoint;
+    opacity_ = opacity;
+  }
+  void lay_over(const Picture& bgr) const {
+    cv::Mat picture(bgr.height_px, bgr.width_px, CV_8UC3, bgr.pixels, bgr.pitch_bytes);
+    picture_.blend_over(picture);
+  }
+
+ private:
+  car::CarPicture picture_;
+  bowl::Viewpoint viewpoint_;
+  float opacity_ = 0;  // nothing is painted yet
+};
+
 }  // namespace
 
 struct BowlRenderer::Parts {
@@ -62,6 +85,8 @@ struct BowlRenderer::Parts {
   CameraTextures cameras;
   BowlPass bowl;
   std::optional<CarLayer> car;
+  std::optional<PaintedCar> painted_car;
+  bool painted_car_shown = false;
   std::optional<std::array<Size, kCameraCount>> image_size_px;  // of the mesh table
   std::vector<uint32_t> read_back;
 };
@@ -105,12 +130,19 @@ void BowlRenderer::set_mesh(const bowl::MeshTable& mesh, const geometry::Rig& ri
 }
 
 void BowlRenderer::set_car(const car::CarModel& model, const geometry::Vehicle& vehicle) {
+  set_car(model, vehicle, context_.on_cpu() ? CarDrawnBy::kCpu : CarDrawnBy::kGl);
+}
+
+void BowlRenderer::set_car(const car::CarModel& model, const geometry::Vehicle& vehicle, CarDrawnBy by) {
   const GlContext::Use use(context_);
   context_.require_not_lost();
   parts_->car.reset();
+  parts_->painted_car.reset();
   if (model.triangle_count() == 0) return;
-  const auto edges = context_.on_cpu() ? CarLayer::Edges::kSampledWhenStill : CarLayer::Edges::kSampled;
-  parts_->car.emplace(model, vehicle, car::bright_day(), edges);
+  if (by == CarDrawnBy::kGl)
+    parts_->car.emplace(model, vehicle, car::bright_day());
+  else
+    parts_->painted_car.emplace(model, vehicle);
 }
 
 /// Texts are made only where they are thrown.
@@ -154,11 +186,15 @@ void BowlRenderer::draw(const synthesis::ToneMapping& tone_mapping, const bowl::
   if (!parts_->image_size_px) refuse("no mesh table yet");
   const GlContext::Use use(context_);
   Parts& parts = *parts_;
+  car_opacity = std::min(car_opacity, 1.0f);
   const bool with_car = parts.car && car_opacity > 0;
   if (with_car) parts.car->show_from(viewpoint, size_px_);
   glBindFramebuffer(GL_FRAMEBUFFER, parts.picture.name());
   parts.bowl.draw(parts.cameras, tone_mapping, viewpoint, size_px_);
-  if (with_car) parts.car->lay_over(std::min(car_opacity, 1.0f));
+  if (with_car) parts.car->lay_over(car_opacity);
+  glFlush();  // the bowl is drawn meanwhile
+  parts.painted_car_shown = parts.painted_car && car_opacity > 0;
+  if (parts.painted_car_shown) parts.painted_car->show_from(viewpoint, size_px_, car_opacity);
 }
 
 void BowlRenderer::read_back(const Picture& bgr) {
@@ -174,6 +210,7 @@ void BowlRenderer::read_back(const Picture& bgr) {
   const auto width = static_cast<size_t>(size_px_.x());
   for (size_t y = 0; y < static_cast<size_t>(size_px_.y()); ++y)
     pack_bgr(&parts.read_back[y * width], width, bgr.pixels + y * bgr.pitch_bytes);
+  if (parts.painted_car_shown) parts.painted_car->lay_over(bgr);
 }
 
 }  // namespace svchain::gl

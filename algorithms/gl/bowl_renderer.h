@@ -20,6 +20,9 @@
 
 namespace svchain::gl {
 
+/// Who draws the car: OpenGL, or car::CarPicture while OpenGL draws the bowl.
+enum class CarDrawnBy { kGl, kCpu };
+
 class BowlRenderer {
  public:
   /// Of pictures of this size.
@@ -29,8 +32,10 @@ class BowlRenderer {
   /// Copies what it needs of a mesh table and the rig it was made for. Throws std::invalid_argument where it
   /// was made for another rig.
   void set_mesh(const bowl::MeshTable& mesh, const geometry::Rig& rig);
-  /// Copies the model, as car::CarPicture takes it. One without triangles is no car, as before the first.
+  /// Copies the model, as car::CarPicture takes it. One without triangles is no car, as before the first. If
+  /// nothing is said OpenGL draws it where it has a GPU: on a CPU it takes three times as long as CarPicture.
   void set_car(const car::CarModel& model, const geometry::Vehicle& vehicle);
+  void set_car(const car::CarModel& model, const geometry::Vehicle& vehicle, CarDrawnBy by);
 
   /// Four frames of the sizes that the mesh table was made for, each in its own format, rows of any pitch; an
   /// empty one is a black picture. `viewpoint` is free of faults; `car_opacity` is 0 (no car) to 1. `bgr` has

@@ -29,8 +29,7 @@ void set(GLint uniform, const Eigen::Vector3f& v) {
 
 }  // namespace
 
-CarLayer::CarLayer(const car::CarModel& model, const geometry::Vehicle& vehicle, const car::Light& light,
-                   Edges edges)
+CarLayer::CarLayer(const car::CarModel& model, const geometry::Vehicle& vehicle, const car::Light& light)
     : surface_(kCarVertexShader, kCarFragmentShader),
       lay_(kLayVertexShader, kLayFragmentShader),
       surface_at_{
@@ -41,8 +40,7 @@ CarLayer::CarLayer(const car::CarModel& model, const geometry::Vehicle& vehicle,
       parts_(model.parts),
       box_(car::bounding_box(model).cast<double>()),
       shadow_reach_(car::ContactShadow(vehicle).reach().cast<double>()),
-      near_m_(kNearPerLength * box_.sizes().x()),
-      edges_(edges) {
+      near_m_(kNearPerLength * box_.sizes().x()) {
   if (!epoxy_has_gl_extension("GL_EXT_color_buffer_half_float") &&
       !epoxy_has_gl_extension("GL_EXT_color_buffer_float"))
     throw std::runtime_error("OpenGL ES: the car needs GL_EXT_color_buffer_half_float");
@@ -79,13 +77,10 @@ CarLayer::CarLayer(const car::CarModel& model, const geometry::Vehicle& vehicle,
 }
 
 void CarLayer::show_from(const bowl::Viewpoint& viewpoint, const Eigen::Vector2i& size_px) {
-  const bool moved = !(viewpoint == viewpoint_) || size_px != size_px_;
-  const bool sampled = edges_ == Edges::kSampled || !moved;
-  if (!moved && sampled == sampled_) return;
+  if (viewpoint == viewpoint_ && size_px == size_px_) return;
   const bowl::Perspective perspective(viewpoint, size_px);
   viewpoint_ = viewpoint;
   size_px_ = size_px;
-  sampled_ = sampled;
   rectangle_ = extent(perspective);
   if (!rectangle_.isEmpty()) draw_surfaces(perspective);
 }
@@ -117,18 +112,17 @@ void CarLayer::make_room(const Eigen::Vector2i& size_px) {
   if ((size_px.array() <= room_px_.array()).all()) return;
   const Eigen::Vector2i size = room_px_ = room_px_.cwiseMax(size_px);
   surfaces_.emplace(make_texture(kSurfacesUnit, kLinear, size.x(), size.y(), GL_NEAREST));
-  const auto attach = [&](GLenum attachment, const Renderbuffer& buffer, GLint samples, GLenum format) {
+  const auto attach = [&](GLenum attachment, const Renderbuffer& buffer, GLenum format) {
     glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, size.x(), size.y());
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, sample_count_, format, size.x(), size.y());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.name());
   };
   glBindFramebuffer(GL_FRAMEBUFFER, samples_.name());
-  attach(GL_COLOR_ATTACHMENT0, sample_colours_, sample_count_, kLinear);
-  attach(GL_DEPTH_ATTACHMENT, sample_depths_, sample_count_, GL_DEPTH_COMPONENT24);
+  attach(GL_COLOR_ATTACHMENT0, sample_colours_, kLinear);
+  attach(GL_DEPTH_ATTACHMENT, sample_depths_, GL_DEPTH_COMPONENT24);
   require_complete_framebuffer("the car's samples");
   glBindFramebuffer(GL_FRAMEBUFFER, pixels_.name());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, surfaces_->name(), 0);
-  attach(GL_DEPTH_ATTACHMENT, depths_, 0, GL_DEPTH_COMPONENT24);
   require_complete_framebuffer("the car's pixels");
 }
 
@@ -136,7 +130,7 @@ void CarLayer::make_room(const Eigen::Vector2i& size_px) {
 void CarLayer::draw_surfaces(const bowl::Perspective& perspective) {
   const Eigen::Vector2i size = rectangle_.sizes() + Eigen::Vector2i::Ones();
   make_room(size);
-  glBindFramebuffer(GL_FRAMEBUFFER, (sampled_ ? samples_ : pixels_).name());
+  glBindFramebuffer(GL_FRAMEBUFFER, samples_.name());
   glViewport(-rectangle_.min().x(), -rectangle_.min().y(), size_px_.x(), size_px_.y());
   glDisable(GL_CULL_FACE);
   glFrontFace(GL_CW);
@@ -161,7 +155,6 @@ void CarLayer::draw_surfaces(const bowl::Perspective& perspective) {
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   draw_parts(false);
 
-  if (!sampled_) return;
   glBindFramebuffer(GL_READ_FRAMEBUFFER, samples_.name());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, pixels_.name());
   glBlitFramebuffer(0, 0, room_px_.x(), room_px_.y(), 0, 0, room_px_.x(), room_px_.y(), GL_COLOR_BUFFER_BIT,

@@ -17,13 +17,8 @@ namespace svchain::gl {
 
 class CarLayer {
  public:
-  /// Samples cost more than anything else where a CPU draws: there a car that moves in the picture has one a
-  /// pixel, until the viewpoint stays for a second frame.
-  enum class Edges { kSampled, kSampledWhenStill };
-
   /// Throws std::runtime_error where OpenGL cannot draw into textures of floating point.
-  CarLayer(const car::CarModel& model, const geometry::Vehicle& vehicle, const car::Light& light,
-           Edges edges);
+  CarLayer(const car::CarModel& model, const geometry::Vehicle& vehicle, const car::Light& light);
 
   /// Draws the car as it is to be laid over a picture of this size, where it is not there already. Into a
   /// framebuffer of its own: another one has to be bound afterwards.
@@ -54,16 +49,14 @@ class CarLayer {
   Eigen::AlignedBox3d box_;
   Eigen::Vector2d shadow_reach_;
   double near_m_;
-  Edges edges_;
   GLint sample_count_ = 1;
   Framebuffer samples_, pixels_;
-  Renderbuffer sample_colours_, sample_depths_, depths_;
+  Renderbuffer sample_colours_, sample_depths_;
   std::optional<Texture> surfaces_;  // the pixels' colours
   Eigen::Vector2i room_px_ = {0, 0};
   // Of what is in the pixels:
   bowl::Viewpoint viewpoint_;
   Eigen::Vector2i size_px_ = {0, 0};
-  bool sampled_ = false;
   Rectangle rectangle_;
 };
 

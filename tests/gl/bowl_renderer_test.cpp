@@ -146,9 +146,10 @@ TEST_CASE("a GL renderer made by one thread serves another, and goes in a third"
 
 TEST_CASE("a frame like the one before costs the GL renderer no allocation of its own") {
   if (!has_gl()) return;
+  const auto car_by = GENERATE(gl::CarDrawnBy::kGl, gl::CarDrawnBy::kCpu);
   const gl::GlContext context;
   const auto renderer = renderer_of_parking(context);
-  renderer->set_car(parking().car, parking().rig.vehicle);
+  renderer->set_car(parking().car, parking().rig.vehicle, car_by);
   const Frames nv12 = in_yuv(parking().bgr, colour::PixelFormat::kNv12, colour::YuvEncoding::kBt601Limited);
   cv::Mat picture(kPicture.y(), kPicture.x(), CV_8UC3);
   const colour::Picture out = colour::bgr_picture(picture);
