@@ -8,15 +8,11 @@
 namespace svchain::synthesis {
 namespace {
 
-/// To hold pixel x and its right neighbour.
-void widen(LutRow& row, int x) {
-  const int left = row.count == 0 ? x : std::min<int>(row.start, x);
-  const int right = std::max(row.start + row.count, x + 2);
-  row = {static_cast<uint16_t>(left), static_cast<uint16_t>(right - left)};
-}
-
-bool is_same(const LutRegion& a, const LutRegion& b) {
-  return a.kind == b.kind && a.first == b.first && a.second == b.second;
+bool show_alike(const Cell& a, const Cell& b) {
+  if (a.kind != b.kind) return false;
+  const int taps = a.tap_count();
+  return (taps < 1 || a.taps[0].camera == b.taps[0].camera) &&
+         (taps < 2 || a.taps[1].camera == b.taps[1].camera);
 }
 
 std::array<uint8_t, 3> pixel_of(const cv::Mat& picture, int column, int row) {
@@ -27,17 +23,16 @@ std::array<uint8_t, 3> pixel_of(const cv::Mat& picture, int column, int row) {
 }  // namespace
 
 void LutBlockWriter::write(LutBlock& block, const Cell* cells) {
-  rows_.clear();
-  regions_.clear();
   spans_.clear();
   entries_.clear();
   weights_.clear();
   pixels_.clear();
+  find_runs(block, cells);
   find_sources(block, cells);
   find_overlaps(block, cells);
   find_rows(block, cells);
-  find_regions(block, cells);
-  for (LutRegion& region : regions_) add_region(block, cells, region);
+  regions_.assign(kinds_.size(), LutRegion{});
+  for (size_t region = 0; region < regions_.size(); ++region) add_region(block, cells, region);
   writer_.align(kLutContentAlignment);
   block.entry_count = static_cast<uint32_t>(entries_.size());
   block.row_count = static_cast<uint32_t>(rows_.size());
@@ -53,61 +48,79 @@ void LutBlockWriter::write(LutBlock& block, const Cell* cells) {
   block.background_at = writer_.append(pixels_);
 }
 
+void LutBlockWriter::find_runs(const LutBlock& block, const Cell* cells) {
+  runs_.clear();
+  kinds_.clear();
+  for (int row = 0; row < block.height; ++row)
+    for (int first = row * block.width, end = first + block.width; first < end;) {
+      int last = first;
+      while (last + 1 < end && show_alike(cells[first], cells[last + 1])) ++last;
+      const auto same = [&](const Cell& kind) { return show_alike(kind, cells[first]); };
+      const auto region = std::find_if(kinds_.begin(), kinds_.end(), same) - kinds_.begin();
+      if (region == std::ssize(kinds_)) kinds_.push_back(cells[first]);
+      runs_.push_back({first, last + 1 - first, static_cast<size_t>(region)});
+      first = last + 1;
+    }
+}
+
 void LutBlockWriter::find_sources(LutBlock& block, const Cell* cells) {
   struct Bounds {
-    int left = 1 << 30, top = 1 << 30, right = -1, bottom = -1;  // first and last pixel
+    int left = 1 << 30, top = 1 << 30, right = -1, bottom = -1;  // first and last, 1/32 px
   };
   std::array<Bounds, 4> bounds;
-  std::array<bool, 4> overlaps = {};  // by first camera
-  for (const Cell* cell = cells; cell != cells + block.width * block.height; ++cell) {
-    if (cell->kind == RegionKind::kBlend) overlaps[cell->taps[0].camera] = true;
-    for (int i = 0; i < cell->tap_count(); ++i) {
-      const Tap& tap = cell->taps[i];
-      Bounds& b = bounds[tap.camera];
-      b.left = std::min(b.left, tap.x >> kFractionBits);
-      b.top = std::min(b.top, tap.y >> kFractionBits);
-      b.right = std::max(b.right, (tap.x >> kFractionBits) + 1);
-      b.bottom = std::max(b.bottom, (tap.y >> kFractionBits) + 1);
+  for (const Run& run : runs_)
+    for (int i = 0; i < kinds_[run.region].tap_count(); ++i) {
+      Bounds& of_camera = bounds[kinds_[run.region].taps[i].camera];
+      Bounds b = of_camera;
+      for (const Cell* cell = cells + run.first; cell != cells + run.first + run.count; ++cell) {
+        const Tap& tap = cell->taps[i];
+        b.left = std::min(b.left, tap.x);
+        b.top = std::min(b.top, tap.y);
+        b.right = std::max(b.right, tap.x);
+        b.bottom = std::max(b.bottom, tap.y);
+      }
+      of_camera = b;
     }
-  }
-  block.first_overlap = header_.overlap_count;
-  header_.overlap_count += static_cast<uint32_t>(std::count(overlaps.begin(), overlaps.end(), true));
   for (int camera = 0; camera < 4; ++camera) {
     const Bounds& b = bounds[camera];
     if (b.right < 0) continue;
-    const int width = b.right - b.left + 1, height = b.bottom - b.top + 1;
+    const int left = b.left >> kFractionBits, top = b.top >> kFractionBits;
+    const int width = (b.right >> kFractionBits) + 2 - left, height = (b.bottom >> kFractionBits) + 2 - top;
     if (std::max(width, height) > kLargestBox)
       refuse("the block at " + std::to_string(block.x) + ", " + std::to_string(block.y) + " takes " +
              std::to_string(width) + " x " + std::to_string(height) + " px of camera " +
              std::to_string(camera) + ", expected at most " + std::to_string(kLargestBox) +
              " each way: the view is too coarse");
     source_of_camera_[camera] = static_cast<uint8_t>(block.source_count);
-    block.sources[block.source_count++] = {static_cast<uint16_t>(camera), static_cast<uint16_t>(b.left),
-                                           static_cast<uint16_t>(b.top), static_cast<uint16_t>(width),
+    block.sources[block.source_count++] = {static_cast<uint16_t>(camera), static_cast<uint16_t>(left),
+                                           static_cast<uint16_t>(top), static_cast<uint16_t>(width),
                                            static_cast<uint16_t>(height)};
   }
 }
 
+/// Of each overlap, by its first camera, the mean q^2 in both of its cameras.
 void LutBlockWriter::find_overlaps(LutBlock& block, const Cell* cells) {
-  std::array<double, 4> first = {}, second = {};
-  std::array<int, 4> pixels = {};  // by first camera
-  for (const Cell* cell = cells; cell != cells + block.width * block.height; ++cell) {
-    if (cell->kind != RegionKind::kBlend) continue;
-    const int camera = cell->taps[0].camera;
-    first[camera] += q2(cell->taps[0]);
-    second[camera] += q2(cell->taps[1]);
-    ++pixels[camera];
+  std::array<std::array<double, 2>, 4> sums = {};
+  std::array<int, 4> pixels = {};
+  for (const Run& run : runs_) {
+    const Cell& kind = kinds_[run.region];
+    if (kind.kind != RegionKind::kBlend) continue;
+    const int overlap = kind.taps[0].camera;
+    pixels[overlap] += run.count;
+    for (int i = 0; i < 2; ++i) {
+      const auto& centre = header_.lens_centre[kind.taps[i].camera];
+      const RadialScale scale = RadialScale::of(header_.image_size_px[kind.taps[i].camera][0]);
+      for (const Cell* cell = cells + run.first; cell != cells + run.first + run.count; ++cell)
+        sums[overlap][i] += scale.q2(cell->taps[i].x - centre[0], cell->taps[i].y - centre[1]);
+    }
   }
-  for (int camera = 0; camera < 4; ++camera)
-    if (pixels[camera] > 0)
-      block.overlaps[source_of_camera_[camera]] = {static_cast<float>(first[camera] / pixels[camera]),
-                                                   static_cast<float>(second[camera] / pixels[camera])};
-}
-
-double LutBlockWriter::q2(const Tap& tap) const {
-  const auto& centre = header_.lens_centre[tap.camera];
-  const RadialScale scale = RadialScale::of(header_.image_size_px[tap.camera][0]);
-  return double(scale.q2(tap.x - centre[0], tap.y - centre[1])) / kRadialOne;
+  block.first_overlap = header_.overlap_count;
+  for (int camera = 0; camera < 4; ++camera) {
+    if (pixels[camera] == 0) continue;
+    ++header_.overlap_count;
+    const auto mean = [&](double sum) { return static_cast<float>(sum / kRadialOne / pixels[camera]); };
+    block.overlaps[source_of_camera_[camera]] = {mean(sums[camera][0]), mean(sums[camera][1])};
+  }
 }
 
 void LutBlockWriter::find_rows(const LutBlock& block, const Cell* cells) {
@@ -117,66 +130,73 @@ void LutBlockWriter::find_rows(const LutBlock& block, const Cell* cells) {
     first[i] = count;
     count += block.sources[i].height;
   }
+  rows_.clear();
   if (count > kMostRows) return;
+  reaches_.assign(count, Reach{});
+  for (const Run& run : runs_)
+    for (int i = 0; i < kinds_[run.region].tap_count(); ++i) {
+      const uint8_t number = source_of_camera_[kinds_[run.region].taps[i].camera];
+      const LutSource& source = block.sources[number];
+      Reach* const rows = &reaches_[first[number]];
+      for (const Cell* cell = cells + run.first; cell != cells + run.first + run.count; ++cell) {
+        const int x = cell->taps[i].x >> kFractionBits;
+        Reach& reach = rows[(cell->taps[i].y >> kFractionBits) - source.y];
+        reach.left = std::min(reach.left, x - source.x);
+        reach.right = std::max(reach.right, x - source.x + 1);
+      }
+    }
+  // A sample takes the row below its own as well.
   rows_.assign(count, LutRow{});
-  for (const Cell* cell = cells; cell != cells + block.width * block.height; ++cell)
-    for (int i = 0; i < cell->tap_count(); ++i) {
-      const Tap& tap = cell->taps[i];
-      const uint8_t source = source_of_camera_[tap.camera];
-      const int x = (tap.x >> kFractionBits) - block.sources[source].x;
-      const int y = (tap.y >> kFractionBits) - block.sources[source].y;
-      widen(rows_[first[source] + y], x);
-      widen(rows_[first[source] + y + 1], x);
+  for (uint32_t i = 0; i < block.source_count; ++i)
+    for (size_t row = first[i]; row < first[i] + block.sources[i].height; ++row) {
+      Reach reach = reaches_[row];
+      if (row > first[i]) {
+        reach.left = std::min(reach.left, reaches_[row - 1].left);
+        reach.right = std::max(reach.right, reaches_[row - 1].right);
+      }
+      if (reach.right >= 0)
+        rows_[row] = {static_cast<uint16_t>(reach.left), static_cast<uint16_t>(reach.right + 1 - reach.left)};
     }
 }
 
-/// By the order in which their first pixels come.
-void LutBlockWriter::find_regions(const LutBlock& block, const Cell* cells) {
-  for (int i = 0; i < block.width * block.height; ++i) {
-    const LutRegion region = region_of(cells[i]);
-    const auto same = [&](const LutRegion& other) { return is_same(other, region); };
-    if (std::none_of(regions_.begin(), regions_.end(), same)) regions_.push_back(region);
+void LutBlockWriter::add_region(const LutBlock& block, const Cell* cells, size_t number) {
+  const Cell& kind = kinds_[number];
+  LutRegion& region = regions_[number];
+  region.kind = kind.kind;
+  if (region.tap_count() > 0) region.first = source_of_camera_[kind.taps[0].camera];
+  if (region.tap_count() > 1) region.second = source_of_camera_[kind.taps[1].camera];
+  for (const Run& run : runs_) {
+    if (run.region != number) continue;
+    const int row = run.first / block.width, column = run.first % block.width;
+    spans_.push_back(
+        {static_cast<uint8_t>(row), static_cast<uint8_t>(column), static_cast<uint8_t>(run.count)});
+    ++region.span_count;
+    region.pixels = static_cast<uint16_t>(region.pixels + run.count);
+    if (region.kind == RegionKind::kBackground)
+      for (int i = 0; i < run.count; ++i)
+        pixels_.push_back(pixel_of(background_, block.x + column + i, block.y + row));
   }
-}
-LutRegion LutBlockWriter::region_of(const Cell& cell) const {
-  LutRegion region{cell.kind, 0, 0, 0, 0, 0};
-  if (cell.tap_count() > 0) region.first = source_of_camera_[cell.taps[0].camera];
-  if (cell.tap_count() > 1) region.second = source_of_camera_[cell.taps[1].camera];
-  return region;
+  add_taps(block, cells, number);
 }
 
-void LutBlockWriter::add_region(const LutBlock& block, const Cell* cells, LutRegion& region) {
-  const size_t first_span = spans_.size();
-  std::vector<const Cell*> members;
-  for (int row = 0; row < block.height; ++row) {
-    bool open = false;
-    for (int column = 0; column < block.width; ++column) {
-      const Cell& cell = cells[row * block.width + column];
-      const bool member = is_same(region_of(cell), region);
-      if (member && !open) spans_.push_back({static_cast<uint8_t>(row), static_cast<uint8_t>(column), 0});
-      open = member;
-      if (!member) continue;
-      ++spans_.back().count;
-      members.push_back(&cell);
-      if (region.kind == RegionKind::kBackground)
-        pixels_.push_back(pixel_of(background_, block.x + column, block.y + row));
-    }
-  }
-  region.span_count = static_cast<uint16_t>(spans_.size() - first_span);
-  region.pixels = static_cast<uint16_t>(members.size());
-  add_taps(block, region, members);
-}
-
-void LutBlockWriter::add_taps(const LutBlock& block, const LutRegion& region,
-                              const std::vector<const Cell*>& members) {
+void LutBlockWriter::add_taps(const LutBlock& block, const Cell* cells, size_t number) {
+  const LutRegion& region = regions_[number];
   for (int i = 0; i < region.tap_count(); ++i) {
     const LutSource& source = block.sources[i == 0 ? region.first : region.second];
-    for (const Cell* cell : members)
-      entries_.push_back(
-          make_entry(cell->taps[i].x - source.x * kOnePixel, cell->taps[i].y - source.y * kOnePixel));
+    const int left = source.x * int{kOnePixel}, top = source.y * int{kOnePixel};
+    size_t at = entries_.size();
+    entries_.resize(at + region.pixels);
+    for (const Run& run : runs_) {
+      if (run.region != number) continue;
+      for (const Cell* cell = cells + run.first; cell != cells + run.first + run.count; ++cell)
+        entries_[at++] = make_entry(cell->taps[i].x - left, cell->taps[i].y - top);
+    }
   }
-  if (region.kind == RegionKind::kBlend)
-    for (const Cell* cell : members) weights_.push_back(cell->weight);
+  if (region.kind != RegionKind::kBlend) return;
+  for (const Run& run : runs_) {
+    if (run.region != number) continue;
+    for (int i = 0; i < run.count; ++i) weights_.push_back(cells[run.first + i].weight);
+  }
 }
 
 }  // namespace svchain::synthesis

@@ -31,19 +31,30 @@ class LutBlockWriter {
   void write(LutBlock& block, const Cell* cells);
 
  private:
+  /// Neighbours in a row that show alike.
+  struct Run {
+    int first, count;  // cells of the block
+    size_t region;
+  };
+  /// Columns of a source's box that a block takes of one row.
+  struct Reach {
+    int left = 1 << 30, right = -1;
+  };
+
+  void find_runs(const LutBlock& block, const Cell* cells);
   void find_sources(LutBlock& block, const Cell* cells);
   void find_overlaps(LutBlock& block, const Cell* cells);
-  double q2(const Tap& tap) const;
   void find_rows(const LutBlock& block, const Cell* cells);
-  void find_regions(const LutBlock& block, const Cell* cells);
-  LutRegion region_of(const Cell& cell) const;
-  void add_region(const LutBlock& block, const Cell* cells, LutRegion& region);
-  void add_taps(const LutBlock& block, const LutRegion& region, const std::vector<const Cell*>& members);
+  void add_region(const LutBlock& block, const Cell* cells, size_t region);
+  void add_taps(const LutBlock& block, const Cell* cells, size_t region);
 
   LutWriter& writer_;
   LutHeader& header_;
   const cv::Mat& background_;
+  std::vector<Run> runs_;
+  std::vector<Cell> kinds_;  // a cell of every region, in the order in which their first pixels come
   std::array<uint8_t, 4> source_of_camera_ = {};
+  std::vector<Reach> reaches_;
   std::vector<LutRow> rows_;
   std::vector<LutRegion> regions_;
   std::vector<LutSpan> spans_;

@@ -1,6 +1,7 @@
 #pragma once
 // Memory that a LUT grows in while it is built, and how building fails. Borrows the memory; one thread.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -27,25 +28,30 @@ class LutWriter {
   /// Goes on behind the first `used` bytes.
   explicit LutWriter(std::span<std::byte> memory, size_t used = 0) : memory_(memory), used_(used) {}
 
+  /// Zeros.
   template <class T>
   T* append(size_t count) {
-    const size_t begin = used_;
-    if (count * sizeof(T) > memory_.size() - begin) refuse("the memory does not suffice");
-    used_ += count * sizeof(T);
-    std::memset(memory_.data() + begin, 0, count * sizeof(T));
-    return reinterpret_cast<T*>(memory_.data() + begin);
+    std::byte* const begin = take(count * sizeof(T));
+    std::memset(begin, 0, count * sizeof(T));
+    return reinterpret_cast<T*>(begin);
   }
   template <class T>
   uint32_t append(const std::vector<T>& items) {
     const auto offset = static_cast<uint32_t>(used_);
-    T* copy = append<T>(items.size());
-    if (!items.empty()) std::memcpy(copy, items.data(), items.size() * sizeof(T));
+    const std::span<const std::byte> bytes = std::as_bytes(std::span(items));
+    std::copy(bytes.begin(), bytes.end(), take(bytes.size()));
     return offset;
   }
   void align(size_t alignment) { append<std::byte>((alignment - used_ % alignment) % alignment); }
   uint32_t used() const { return static_cast<uint32_t>(used_); }
 
  private:
+  std::byte* take(size_t bytes) {
+    if (bytes > memory_.size() - used_) refuse("the memory does not suffice");
+    used_ += bytes;
+    return memory_.data() + used_ - bytes;
+  }
+
   std::span<std::byte> memory_;
   size_t used_;
 };
