@@ -24,14 +24,16 @@ inline cv::Mat bgr_picture(Draft& draft, int buffer = 0) {
   return bgr_picture(draft.format(buffer), draft.bytes(buffer).data());
 }
 
-/// bgr8, nv12 or yuyv.
+/// bgr8, bgrx8, nv12 or yuyv.
 inline colour::Picture any_picture(const Format& format, std::byte* data) {
   if (format.type == "bgr8") return colour::bgr_picture(bgr_picture(format, data));
+  const auto pitch = static_cast<size_t>(format.pitch_bytes);
+  auto* const pixels = reinterpret_cast<uint8_t*>(data);
+  if (format.type == "bgrx8") return colour::bgrx_picture(format.width_px, format.height_px, pitch, pixels);
   const auto encoding = colour::yuv_encoding(format.colour);
   assert(encoding && (format.type == "nv12" || format.type == "yuyv"));
   const auto view = format.type == "nv12" ? colour::nv12_picture : colour::yuyv_picture;
-  return view(format.width_px, format.height_px, static_cast<size_t>(format.pitch_bytes),
-              reinterpret_cast<uint8_t*>(data), *encoding);
+  return view(format.width_px, format.height_px, pitch, pixels, *encoding);
 }
 
 /// Of a shared frame: to be read only. Empty where a set has nothing at this place.

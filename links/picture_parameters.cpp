@@ -8,6 +8,10 @@ namespace {
 
 constexpr const char* kUsualColour = "bt601_limited";
 
+bool is_yuv(const std::string& type) {
+  return type != "bgr8" && type != "bgrx8";
+}
+
 }  // namespace
 
 std::vector<ParameterDescription> picture_parameters(const std::string& prefix,
@@ -22,17 +26,18 @@ std::vector<ParameterDescription> picture_parameters(const std::string& prefix,
 PictureKind picture_kind(Configuration& configuration, const std::string& prefix) {
   const Parameters& given = configuration.parameters();
   PictureKind kind{given.text(prefix + "format"), given.text(prefix + "colour")};
-  if (kind.type == "bgr8" && !kind.colour.empty()) {
-    configuration.parameter_fault(prefix + "colour",
-                                  "goes with " + prefix + "format nv12 or yuyv, but the format is bgr8");
+  if (!is_yuv(kind.type) && !kind.colour.empty()) {
+    configuration.parameter_fault(
+        prefix + "colour", "goes with " + prefix + "format nv12 or yuyv, but the format is " + kind.type);
   }
-  if (kind.type != "bgr8" && kind.colour.empty()) kind.colour = kUsualColour;
+  if (is_yuv(kind.type) && kind.colour.empty()) kind.colour = kUsualColour;
   return kind;
 }
 
 Format picture_format(Configuration& configuration, const std::string& prefix, const PictureKind& kind,
                       int width_px, int height_px, const std::string& what) {
   if (kind.type == "bgr8") return Format::bgr8(width_px, height_px);
+  if (kind.type == "bgrx8") return Format::bgrx8(width_px, height_px);
   const bool nv12 = kind.type == "nv12";
   if (width_px % 2 != 0 || (nv12 && height_px % 2 != 0)) {
     configuration.parameter_fault(
@@ -45,7 +50,7 @@ Format picture_format(Configuration& configuration, const std::string& prefix, c
 
 void check_colours(Configuration& configuration, int input_port) {
   for (const Format& format : configuration.input(input_port)) {
-    if (format.type == "bgr8" || colour::yuv_encoding(format.colour)) continue;
+    if (!is_yuv(format.type) || colour::yuv_encoding(format.colour)) continue;
     configuration.format_fault(input_port, "colour", spoken_list(colour::yuv_encoding_names()),
                                "\"" + format.colour + "\"");
   }

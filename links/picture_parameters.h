@@ -15,10 +15,10 @@ std::vector<ParameterDescription> picture_parameters(const std::string& prefix,
 
 struct PictureKind {
   std::string type;
-  std::string colour;  // "" for bgr8
+  std::string colour;  // "" for bgr8 and bgrx8
 };
 
-/// What the parameters say. A colour encoding given for bgr8 is a fault.
+/// What the parameters say. A colour encoding given for what is not YUV is a fault.
 PictureKind picture_kind(Configuration& configuration, const std::string& prefix);
 
 /// Such a picture of this size. One that leaves half a group of chroma is a fault, which calls it `what`.

@@ -13,7 +13,7 @@ cv::Mat ShownFrame::of(const Frame& frame, int buffer) {
   converted_from_ = from;
   converted_sequence_ = frame.sequence();
   converted_.create(picture.height_px, picture.width_px, CV_8UC3);
-  colour::bgr_from_yuv(picture, colour::bgr_picture(converted_));
+  colour::bgr_from(picture, colour::bgr_picture(converted_));
   return converted_;
 }
 

@@ -20,7 +20,7 @@ constexpr int kView = 0, kStatistics = 1;
 constexpr size_t kCameraCount = 4;
 constexpr int kPartsPerCpu = 4;  // blocks differ in cost
 constexpr const char* kAuto = "auto";
-const std::vector<std::string> kViewTypes = {"bgr8", "nv12"};
+const std::vector<std::string> kViewTypes = {"bgr8", "bgrx8", "nv12"};
 
 class Synthesis final : public Link {
  public:

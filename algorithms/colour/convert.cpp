@@ -1,5 +1,6 @@
 #include "algorithms/colour/convert.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace svchain::colour {
@@ -75,6 +76,16 @@ void yuv_from_bgr(const Picture& bgr, const Picture& yuv) {
 void bgr_from_yuv(const Picture& yuv, const Picture& bgr) {
   check(bgr, yuv);
   yuv.format == PixelFormat::kNv12 ? write_bgr<kNv12Layout>(yuv, bgr) : write_bgr<kYuyvLayout>(yuv, bgr);
+}
+
+void bgr_from(const Picture& picture, const Picture& bgr) {
+  if (is_yuv(picture.format)) return bgr_from_yuv(picture, bgr);
+  const size_t from_step = bytes_per_px(picture.format);
+  for (int y = 0; y < picture.height_px; ++y) {
+    const uint8_t* from = picture.pixels + static_cast<size_t>(y) * picture.pitch_bytes;
+    uint8_t* to = bgr.pixels + static_cast<size_t>(y) * bgr.pitch_bytes;
+    for (int x = 0; x < picture.width_px; ++x, from += from_step, to += 3) std::copy_n(from, 3, to);
+  }
 }
 
 }  // namespace svchain::colour

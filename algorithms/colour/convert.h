@@ -13,4 +13,7 @@ void yuv_from_bgr(const Picture& bgr, const Picture& yuv);
 /// A pixel's chroma is its group's, replicated.
 void bgr_from_yuv(const Picture& yuv, const Picture& bgr);
 
+/// What a picture of any format shows.
+void bgr_from(const Picture& picture, const Picture& bgr);
+
 }  // namespace svchain::colour

@@ -6,6 +6,10 @@ Picture bgr_picture(const cv::Mat& bgr) {
   return {PixelFormat::kBgr8, {}, bgr.cols, bgr.rows, bgr.empty() ? 0 : bgr.step[0], bgr.data, nullptr};
 }
 
+Picture bgrx_picture(int width_px, int height_px, size_t pitch_bytes, uint8_t* data) {
+  return {PixelFormat::kBgrx8, {}, width_px, height_px, pitch_bytes, data, nullptr};
+}
+
 Picture nv12_picture(int width_px, int height_px, size_t pitch_bytes, uint8_t* data, YuvEncoding encoding) {
   uint8_t* chroma = data + static_cast<size_t>(height_px) * pitch_bytes;
   return {PixelFormat::kNv12, encoding, width_px, height_px, pitch_bytes, data, chroma};
@@ -16,7 +20,7 @@ Picture yuyv_picture(int width_px, int height_px, size_t pitch_bytes, uint8_t* d
 }
 
 bool has_whole_groups(PixelFormat format, int width_px, int height_px) {
-  if (format == PixelFormat::kBgr8) return true;
+  if (!is_yuv(format)) return true;
   return width_px % 2 == 0 && (format == PixelFormat::kYuyv || height_px % 2 == 0);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-// A picture in one of the formats that cameras give, as pointers to its bytes. Borrows its memory, as a
-// cv::Mat over foreign memory does: what a function only reads it takes as const Picture&. Plain value.
+// A picture in one of the formats that cameras give and displays take, as pointers to its bytes. Borrows its
+// memory, as a cv::Mat over foreign memory does: what a function only reads it takes as const Picture&. Plain
+// value.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +15,16 @@ enum class PixelFormat : uint8_t {
   kBgr8,  // b g r
   kNv12,  // a plane of Y; rows of U V, one of each for 2x2 pixels
   kYuyv,  // Y0 U Y1 V for two pixels
+  kBgrx8  // b g r and a byte that is 255, so that it also serves as an opaque alpha; no camera gives it
 };
+constexpr bool is_yuv(PixelFormat format) {
+  return format == PixelFormat::kNv12 || format == PixelFormat::kYuyv;
+}
+/// Of a row of pixels; NV12: of its plane of Y.
+constexpr size_t bytes_per_px(PixelFormat format) {
+  constexpr size_t kBytes[] = {3, 1, 2, 4};
+  return kBytes[static_cast<size_t>(format)];
+}
 
 /// Where in a YUV picture things are: Y of pixel (x, y) at pixels + y pitch + x luma_step, U of its group at
 /// chroma + (y / rows) pitch + (x / 2) chroma_step, V v_offset behind it.
@@ -39,6 +49,7 @@ struct Picture {
 
 /// Views; nothing is copied. NV12's rows of chroma follow its rows of luma at once.
 Picture bgr_picture(const cv::Mat& bgr);
+Picture bgrx_picture(int width_px, int height_px, size_t pitch_bytes, uint8_t* data);
 Picture nv12_picture(int width_px, int height_px, size_t pitch_bytes, uint8_t* data, YuvEncoding encoding);
 Picture yuyv_picture(int width_px, int height_px, size_t pitch_bytes, uint8_t* data, YuvEncoding encoding);
 

@@ -151,6 +151,8 @@ void BowlRenderer::check(std::span<const Picture> frames) const {
   if (frames.size() != kCameraCount) refuse("expected four frames, got " + std::to_string(frames.size()));
   for (size_t c = 0; c < kCameraCount; ++c) {
     if (frames[c].empty()) continue;
+    if (frames[c].format == PixelFormat::kBgrx8)
+      refuse("the frame of camera " + std::to_string(c) + " is BGRX, which no camera gives");
     const Size got = {frames[c].width_px, frames[c].height_px}, expected = (*parts_->image_size_px)[c];
     if (got != expected)
       refuse("the frame of camera " + std::to_string(c) + " has " + text(got) +

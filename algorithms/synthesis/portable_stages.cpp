@@ -123,6 +123,8 @@ void sample(const FrameBox& box, const uint32_t* entries, size_t count, Samples&
       return sample_yuv<colour::kNv12Layout>(box, entries, count, samples);
     case PixelFormat::kYuyv:
       return sample_yuv<colour::kYuyvLayout>(box, entries, count, samples);
+    case PixelFormat::kBgrx8:
+      break;  // no camera gives it, and synthesis refuses it
   }
 }
 
@@ -167,13 +169,24 @@ void blend(Samples& a, const Samples& b, const uint8_t* weights, size_t count) {
       a.channel[c][i] = synthesis::blend(a.channel[c][i], b.channel[c][i], weights[i]);
 }
 
-void pack(const Samples& samples, size_t count, uint8_t* bgr) {
-  for (size_t i = 0; i < count; ++i)
-    for (const auto& channel : samples.channel) *bgr++ = channel[i];
+template <PixelFormat kFormat>
+void pack(const Samples& samples, size_t count, uint8_t* to) {
+  for (size_t i = 0; i < count; ++i) {
+    for (const auto& channel : samples.channel) *to++ = channel[i];
+    if (kFormat == PixelFormat::kBgrx8) *to++ = 255;
+  }
 }
 
 }  // namespace
 
-const Stages kPortableStages = {turn_to_bgr, sample, undo_falloff, add, tone_tables, tone_map, blend, pack};
+const Stages kPortableStages = {turn_to_bgr,
+                                sample,
+                                undo_falloff,
+                                add,
+                                tone_tables,
+                                tone_map,
+                                blend,
+                                pack<PixelFormat::kBgr8>,
+                                pack<PixelFormat::kBgrx8>};
 
 }  // namespace svchain::synthesis

@@ -50,8 +50,9 @@ struct Stages {
   void (*tone_map)(const ToneTables& tables, size_t count, Samples& samples);
   /// Blends b into a. `weights` are aligned and padded as samples are.
   void (*blend)(Samples& a, const Samples& b, const uint8_t* weights, size_t count);
-  /// `count` times b g r; may write up to the next multiple of 64 pixels.
-  void (*pack)(const Samples& samples, size_t count, uint8_t* bgr);
+  /// Samples as pixels one behind the other; may write up to the next multiple of 64 pixels.
+  using Pack = void (*)(const Samples& samples, size_t count, uint8_t* to);
+  Pack pack_bgr, pack_bgrx;
 };
 
 /// The reference.

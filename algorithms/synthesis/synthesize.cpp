@@ -24,16 +24,17 @@ struct Source {
   std::optional<Falloff> falloff;
 };
 
-/// Copies a row's run; a whole row of a block is by far the most frequent, and its size known.
-void copy_run(const uint8_t* from, size_t pixels, uint8_t* to) {
-  if (pixels == kBlockSize)
+/// Copies a row's run; a whole row of a block of BGR is by far the most frequent, and its size known.
+void copy_run(const uint8_t* from, size_t bytes, uint8_t* to) {
+  if (bytes == kBlockSize * kChannels)
     std::memcpy(to, from, kBlockSize * kChannels);
   else
-    std::memcpy(to, from, pixels * kChannels);
+    std::memcpy(to, from, bytes);
 }
 
 /// A block's, and what the last portion may write behind.
 constexpr size_t kPackedPixels = kBlockSize * kBlockSize + kLargestVector;
+constexpr size_t kMostBytesPerPx = 4;
 
 /// Calls visit(at, count) for one portion of a region after the other.
 template <class Visit>
@@ -52,6 +53,8 @@ class Synthesis {
         out_(out),
         statistics_(statistics),
         stages_(kernel == Kernel::kPortable ? kPortableStages : *vector_stages(kernel)),
+        pack_(out.format == PixelFormat::kBgrx8 ? stages_.pack_bgrx : stages_.pack_bgr),
+        px_bytes_(out.format == PixelFormat::kBgrx8 ? kMostBytesPerPx : kChannels),
         prefetch_(lut, frames, out) {
     for (size_t i = 0; i < frames.size(); ++i) tone_[i] = stages_.tone_tables(tone_mapping.curves[i]);
   }
@@ -60,7 +63,6 @@ class Synthesis {
   void run(const LutBlock& block, uint32_t index, const LutBlock* next) {
     open(block);
     prefetch_.begin(next, block.entry_count);
-    const Picture target = bgr_target(block);
     const uint32_t* entries = lut_.entries(block);
     const uint8_t* weights = lut_.weights(block);
     const uint8_t* background = lut_.background(block);
@@ -69,10 +71,10 @@ class Synthesis {
       const uint8_t* pixels = packed_;
       switch (region.kind) {
         case RegionKind::kBlack:
-          std::memset(packed_, 0, region.pixels * kChannels);
+          show_black(region);
           break;
         case RegionKind::kBackground:
-          pixels = background;
+          pixels = packed(background, region.pixels);
           background += region.pixels * kChannels;
           break;
         case RegionKind::kCamera:
@@ -83,17 +85,18 @@ class Synthesis {
           weights += region.pixels;
           break;
       }
-      spread({spans, region.span_count}, pixels, target);
+      spread({spans, region.span_count}, pixels);
       spans += region.span_count;
       entries += region.pixels * region.tap_count();
     }
     prefetch_.finish();
-    if (out_.format == PixelFormat::kNv12) colour::yuv_from_bgr(target, nv12_target(block));
+    if (out_.format == PixelFormat::kNv12) colour::yuv_from_bgr(target_, nv12_target(block));
     if (statistics_) close(block, index);
   }
 
  private:
   void open(const LutBlock& block) {
+    target_ = packed_target(block);
     std::span<const LutRow> rows = lut_.rows(block);
     converted_.clear();
     for (uint32_t i = 0; i < block.source_count; ++i) {
@@ -116,12 +119,14 @@ class Synthesis {
     return source;
   }
 
-  /// Where a block's BGR goes: into the composite, or to be made NV12 there while it is in the cache.
-  Picture bgr_target(const LutBlock& block) {
-    Picture target{PixelFormat::kBgr8, {}, block.width, block.height, sizeof tile_[0], tile_[0], nullptr};
-    if (out_.format == PixelFormat::kNv12) return target;
-    target.pitch_bytes = out_.pitch_bytes;
-    target.pixels = out_.pixels + block.y * out_.pitch_bytes + block.x * kChannels;
+  /// Where a block's pixels go: into the composite, or to be made NV12 there while they are in the cache.
+  Picture packed_target(const LutBlock& block) {
+    if (out_.format == PixelFormat::kNv12)
+      return {PixelFormat::kBgr8, {}, block.width, block.height, sizeof tile_[0], tile_[0], nullptr};
+    Picture target = out_;
+    target.width_px = block.width;
+    target.height_px = block.height;
+    target.pixels += block.y * out_.pitch_bytes + block.x * px_bytes_;
     return target;
   }
 
@@ -135,13 +140,32 @@ class Synthesis {
     return target;
   }
 
+  void pack(const Samples& samples, size_t at, size_t count) {
+    pack_(samples, count, packed_ + at * px_bytes_);
+  }
+
+  void show_black(const LutRegion& region) {
+    static constexpr Samples kBlack = {};
+    in_portions(region.pixels, [&](size_t at, size_t count) { pack(kBlack, at, count); });
+  }
+
+  /// b g r as they are, or with a fourth byte.
+  const uint8_t* packed(const uint8_t* bgr, size_t pixels) {
+    if (px_bytes_ == kChannels) return bgr;
+    for (size_t i = 0; i < pixels; ++i) {
+      std::memcpy(packed_ + i * px_bytes_, bgr + i * kChannels, kChannels);
+      packed_[i * px_bytes_ + kChannels] = 255;
+    }
+    return packed_;
+  }
+
   void show_one(const LutRegion& region, const uint32_t* entries) {
     const Source& source = sources_[region.first];
     in_portions(region.pixels, [&](size_t at, size_t count) {
       prefetch_.advance(count);
       stages_.sample(source.frame, entries + at, count, first_);
       tone_map(source, entries + at, count, first_);
-      stages_.pack(first_, count, packed_ + at * kChannels);
+      pack(first_, at, count);
     });
   }
 
@@ -164,7 +188,7 @@ class Synthesis {
       tone_map(b, second + at, count, second_);
       std::memcpy(weights_, weights + at, count);
       stages_.blend(first_, second_, weights_, count);
-      stages_.pack(first_, count, packed_ + at * kChannels);
+      pack(first_, at, count);
     });
   }
 
@@ -174,11 +198,11 @@ class Synthesis {
   }
 
   /// From a region's list to the rows of its block.
-  static void spread(std::span<const LutSpan> spans, const uint8_t* pixels, const Picture& target) {
+  void spread(std::span<const LutSpan> spans, const uint8_t* pixels) const {
     for (const LutSpan& span : spans) {
-      uint8_t* to = target.pixels + span.row * target.pitch_bytes + span.start * kChannels;
-      copy_run(pixels, span.count, to);
-      pixels += span.count * kChannels;
+      copy_run(pixels, span.count * px_bytes_,
+               target_.pixels + span.row * target_.pitch_bytes + span.start * px_bytes_);
+      pixels += span.count * px_bytes_;
     }
   }
 
@@ -203,15 +227,18 @@ class Synthesis {
   const Picture& out_;
   OverlapStatistics* statistics_;
   const Stages& stages_;
+  const Stages::Pack pack_;
+  const size_t px_bytes_;
   Prefetch prefetch_;
   ConvertedBoxes converted_;
   std::array<ToneTables, kMaxCameras> tone_;
   std::array<Source, 4> sources_;
   std::array<OverlapBlock, 4> overlaps_;
+  Picture target_;  // of the block
   Samples first_;
   Samples second_;
   alignas(kLargestVector) uint8_t weights_[kStagePixels];
-  alignas(kLargestVector) uint8_t packed_[kPackedPixels * kChannels];
+  alignas(kLargestVector) uint8_t packed_[kPackedPixels * kMostBytesPerPx];
   uint8_t tile_[kBlockSize][kBlockSize * kChannels];
 };
 static_assert(kBlockSize % 2 == 0);
@@ -225,13 +252,18 @@ bool fits(const Picture& picture, int width_px, int height_px) {
          colour::has_whole_groups(picture.format, width_px, height_px);
 }
 
+bool is_bgrx(const Picture& picture) {
+  return picture.format == PixelFormat::kBgrx8;
+}
+
 void check(const LutHeader& header, std::span<const Picture> frames, const Picture& out,
            const OverlapStatistics* statistics) {
   require(frames.size() == header.camera_count, "expected as many frames as the LUT has cameras");
   for (size_t i = 0; i < frames.size(); ++i)
     require(frames[i].empty() || fits(frames[i], header.image_size_px[i][0], header.image_size_px[i][1]),
             "a frame is not of the size that the LUT was made for, or has not the even size of its format");
-  require(!out.empty() && out.format != PixelFormat::kYuyv, "the output is neither BGR nor NV12");
+  require(std::none_of(frames.begin(), frames.end(), is_bgrx), "a frame is BGRX, which no camera gives");
+  require(!out.empty() && out.format != PixelFormat::kYuyv, "the output is neither BGR, BGRX nor NV12");
   require(out.width_px == header.width && out.height_px == header.height,
           "the output is not of the view's size");
   require(colour::has_whole_groups(out.format, out.width_px, out.height_px),

@@ -157,11 +157,17 @@ void blend(Samples& a, const Samples& b, const uint8_t* weights, size_t count) {
   }
 }
 
-void pack(const Samples& samples, size_t count, uint8_t* bgr) {
+template <colour::PixelFormat kFormat>
+void pack(const Samples& samples, size_t count, uint8_t* to) {
   const U8 d;
-  for (size_t i = 0; i < count; i += hn::Lanes(d))
-    hn::StoreInterleaved3(hn::Load(d, samples.channel[0] + i), hn::Load(d, samples.channel[1] + i),
-                          hn::Load(d, samples.channel[2] + i), d, bgr + i * kChannels);
+  for (size_t i = 0; i < count; i += hn::Lanes(d), to += hn::Lanes(d) * colour::bytes_per_px(kFormat)) {
+    const V8 b = hn::Load(d, samples.channel[0] + i), g = hn::Load(d, samples.channel[1] + i),
+             r = hn::Load(d, samples.channel[2] + i);
+    if constexpr (kFormat == colour::PixelFormat::kBgrx8)
+      hn::StoreInterleaved4(b, g, r, hn::Set(d, 255), d, to);
+    else
+      hn::StoreInterleaved3(b, g, r, d, to);
+  }
 }
 
 /// RadialScale::length of every distance.

@@ -34,8 +34,15 @@ void sample(const FrameBox& box, const uint32_t* entries, size_t count, Samples&
   kPortableStages.sample(box, entries, count, samples);
 }
 
-inline constexpr Stages kStages = {turn_to_bgr, sample,   undo_falloff, add,
-                                   tone_tables, tone_map, blend,        pack};
+inline constexpr Stages kStages = {turn_to_bgr,
+                                   sample,
+                                   undo_falloff,
+                                   add,
+                                   tone_tables,
+                                   tone_map,
+                                   blend,
+                                   pack<colour::PixelFormat::kBgr8>,
+                                   pack<colour::PixelFormat::kBgrx8>};
 
 #endif
 }  // namespace svchain::synthesis::HWY_NAMESPACE

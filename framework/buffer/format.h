@@ -21,6 +21,10 @@ struct Format {
   static Format bgr8(int width_px, int height_px) {
     return picture("bgr8", width_px * 3, width_px, height_px);
   }
+  /// b g r and 255.
+  static Format bgrx8(int width_px, int height_px) {
+    return picture("bgrx8", width_px * 4, width_px, height_px);
+  }
   /// Rows of Y, then half as many of U V U V, in one buffer and of one pitch. Width and height are even.
   static Format nv12(int width_px, int height_px, std::string colour) {
     Format format = picture("nv12", width_px, width_px, height_px, std::move(colour));

@@ -17,7 +17,8 @@ class Display final : public Link {
     LinkDescription d;
     d.type = "display";
     d.help = "Delivers frames to a file, a folder, a window, or nowhere";
-    d.inputs = {{.name = "frames", .types = {"bgr8", "nv12", "yuyv"}, .count = 1, .help = "pictures"}};
+    d.inputs = {
+        {.name = "frames", .types = {"bgr8", "bgrx8", "nv12", "yuyv"}, .count = 1, .help = "pictures"}};
     d.parameters = {boolean("sha256", false, "hashes all delivered pixels for the report")};
     d.delivers = true;
     return d;

@@ -1,5 +1,5 @@
 #pragma once
-// Link "display": where frames (bgr8) leave the chain: into a file, a folder, a window, or nowhere. Setting
+// Link "display": where pictures leave the chain: into a file, a folder, a window, or nowhere. Setting
 // "output" (PATH, contracts: "The program"). Parameter `sha256`: the report names the hash of all delivered
 // pixels.
 

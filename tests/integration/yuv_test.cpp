@@ -53,6 +53,17 @@ TEST_CASE("a surround view on NV12 or YUYV looks as it does on BGR") {
   }
 }
 
+TEST_CASE("a composite in BGRX is shown as the same in BGR") {
+  const SurroundView world;
+  const cv::Mat expected = run_to_png(world, {}).last;
+  const Run got = run_to_png(world, {"synthesis.output_format=bgrx8"});
+  CHECK(got.report["frames"]["delivered"] == 4);
+  CHECK(cv::norm(got.last, expected, cv::NORM_INF) == 0);
+  CHECK_THROWS_WITH(
+      run_to_png(world, {"synthesis.output_format=bgrx8", "synthesis.output_colour=bt709_full"}),
+      Contains("goes with output_format nv12 or yuyv, but the format is bgrx8"));
+}
+
 TEST_CASE("a surround view on YUV gives the same pixels in any order and on any cores") {
   const SurroundView world;
   const std::vector<std::string> overrides = {"capture.format=nv12", "synthesis.output_format=nv12"};

@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 #include <random>
 
+#include "algorithms/colour/convert.h"
 #include "algorithms/synthesis/synthesize.h"
 #include "tests/allocation_count.h"
 #include "tests/catch.h"
@@ -61,18 +62,25 @@ struct Car {
     std::vector<OverlapBlock> overlaps;
   };
   Result run(Kernel kernel, PixelFormat out_format = PixelFormat::kBgr8) {
-    const int width = view.size_px.x(), height = view.size_px.y();
     Result result;
-    const bool bgr = out_format == PixelFormat::kBgr8;
-    if (bgr) result.bytes.create(height, width, CV_8UC3);
-    if (!bgr) result.bytes.create(height * 3 / 2, width, CV_8U);
-    const Picture out =
-        bgr ? colour::bgr_picture(result.bytes)
-            : colour::nv12_picture(width, height, result.bytes.step[0], result.bytes.data, {});
+    const Picture out = empty_composite(out_format, result.bytes);
     OverlapStatistics* statistics = OverlapStatistics::create(memory);
     synthesize(owned.lut(), frames, mapping, out, statistics, kernel);
     result.overlaps.assign(statistics->blocks().begin(), statistics->blocks().end());
     return result;
+  }
+  Picture empty_composite(PixelFormat format, cv::Mat& bytes) const {
+    const int width = view.size_px.x(), height = view.size_px.y();
+    if (format == PixelFormat::kNv12) {
+      bytes.create(height * 3 / 2, width, CV_8U);
+      return colour::nv12_picture(width, height, bytes.step[0], bytes.data, {});
+    }
+    if (format == PixelFormat::kBgr8) {
+      bytes.create(height, width, CV_8UC3);
+      return colour::bgr_picture(bytes);
+    }
+    bytes.create(height, width, CV_8UC4);
+    return colour::bgrx_picture(width, height, bytes.step[0], bytes.data);
   }
   /// Bytes of the composite and entries of the statistics that differ from the portable kernel's.
   size_t differences(Kernel kernel, PixelFormat out_format = PixelFormat::kBgr8) {
@@ -119,8 +127,9 @@ TEST_CASE("every kernel gives the portable one's composite and statistics, byte 
     CHECK(Car(format, {201, 243}, {}, 7).differences(kernel) == 0);
     CHECK(Car(format, {201, 243}, {}, 40000).differences(kernel) == 0);
   }
-  SECTION("into NV12") {
+  SECTION("into NV12, and into BGRX") {
     CHECK(Car(format, {202, 244}).differences(kernel, PixelFormat::kNv12) == 0);
+    CHECK(Car(format, {201, 243}).differences(kernel, PixelFormat::kBgrx8) == 0);
   }
   SECTION("where a frame is missing") {
     Car car(format, {201, 243});
@@ -152,6 +161,28 @@ TEST_CASE("every kernel undoes falloff as the portable one does") {
                             {-kLargestFalloff, kLargestFalloff}}};
   }
   CHECK(car.differences(kernel) == 0);
+}
+
+TEST_CASE("BGRX shows what BGR shows, and the fourth byte is 255") {
+  Car car(PixelFormat::kBgr8, {201, 243});
+  const cv::Mat bgr = car.run(any_kernel()).bytes, bgrx = car.run(any_kernel(), PixelFormat::kBgrx8).bytes;
+  std::array<cv::Mat, 4> channels;
+  cv::split(bgrx, channels.data());
+  CHECK(cv::countNonZero(channels[3] != 255) == 0);
+  cv::Mat shown;
+  cv::merge(channels.data(), 3, shown);
+  CHECK(cv::norm(shown, bgr, cv::NORM_INF) == 0);
+  cv::Mat converted(bgr.size(), CV_8UC3);
+  cv::Mat bytes = bgrx.clone();
+  colour::bgr_from(colour::bgrx_picture(bytes.cols, bytes.rows, bytes.step[0], bytes.data),
+                   colour::bgr_picture(converted));
+  CHECK(cv::norm(converted, bgr, cv::NORM_INF) == 0);
+}
+
+TEST_CASE("frames in BGRX are refused") {
+  Car car(PixelFormat::kBgr8, {40, 40});
+  car.frames[1].format = PixelFormat::kBgrx8;
+  CHECK_THROWS_WITH(car.run(best_kernel()), Catch::Matchers::Contains("a frame is BGRX"));
 }
 
 TEST_CASE("the sample of a frame's last pixels is the same with every kernel") {
@@ -215,14 +246,13 @@ TEST_CASE("an unknown kernel is a fault that names the nearest") {
 }
 
 TEST_CASE("parts in any order make the whole, pixels and statistics, whatever their number") {
-  for (const PixelFormat out_format : {PixelFormat::kBgr8, PixelFormat::kNv12}) {
+  for (const PixelFormat out_format : {PixelFormat::kBgr8, PixelFormat::kBgrx8, PixelFormat::kNv12}) {
     Car car(PixelFormat::kBgr8, {202, 244});
     const auto whole = car.run(best_kernel(), out_format);
     for (const int count : {2, 5, 1000}) {
-      cv::Mat bytes(whole.bytes.size(), whole.bytes.type(), cv::Scalar::all(7));
-      const Picture out = out_format == PixelFormat::kBgr8
-                              ? colour::bgr_picture(bytes)
-                              : colour::nv12_picture(202, 244, bytes.step[0], bytes.data, {});
+      cv::Mat bytes;
+      const Picture out = car.empty_composite(out_format, bytes);
+      bytes.setTo(cv::Scalar::all(7));
       const GeometricLut lut = car.owned.lut();
       OverlapStatistics* statistics = OverlapStatistics::create(car.memory);
       statistics->expect(lut.header().overlap_count);

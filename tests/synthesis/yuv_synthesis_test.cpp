@@ -173,6 +173,6 @@ TEST_CASE("NV12 out of a view of odd size, and YUYV out of any, are refused befo
   };
   const OwnedLut odd(car.rig, view_of(car.rig, {201, 243}));
   refused(odd.lut(), colour::nv12_picture(201, 243, 500, bytes.data, {}), "even width and height");
-  refused(car.lut, colour::yuyv_picture(202, 244, 500, bytes.data, {}), "neither BGR nor NV12");
+  refused(car.lut, colour::yuyv_picture(202, 244, 500, bytes.data, {}), "neither BGR, BGRX nor NV12");
   refused(car.lut, colour::nv12_picture(204, 244, 500, bytes.data, {}), "the view's size");
 }

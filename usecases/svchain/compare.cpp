@@ -168,9 +168,8 @@ VariantRun prepared(const CompareOptions& options, const Variant& variant, const
 cv::Mat picture(const KeptInputs::Buffer& buffer, const std::string& what) {
   if (buffer.bytes.empty()) throw std::runtime_error("the last set has no frame of " + what);
   auto* bytes = const_cast<std::byte*>(buffer.bytes.data());
-  if (buffer.format.type == "bgr8") return bgr_picture(buffer.format, bytes).clone();
   cv::Mat bgr(buffer.format.height_px, buffer.format.width_px, CV_8UC3);
-  colour::bgr_from_yuv(any_picture(buffer.format, bytes), colour::bgr_picture(bgr));
+  colour::bgr_from(any_picture(buffer.format, bytes), colour::bgr_picture(bgr));
   return bgr;
 }
 

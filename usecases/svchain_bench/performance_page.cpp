@@ -55,7 +55,7 @@ Section synthesis(const Results& results) {
       "with fixed-point maps (CV_16SC2), `cv::LUT`, an integer blend. *A*: the same with float maps and a "
       "float blend. `.1t`: one thread each. `.2t`: two, which wait between frames: B by "
       "`cv::parallel_for_` in strips of rows, ours in parts of blocks as the link does it. `nv12`: frames "
-      "in NV12, which B has to convert first. A round is a stream of eight frames whose pictures come from "
+      "in NV12, which B has to convert first. A round is a stream of 24 frames whose pictures come from "
       "memory. All composites were within 2 levels of each other.\n",
       {ratio_table(results, "synthesis.", "ms")}};
 }
