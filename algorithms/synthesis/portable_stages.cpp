@@ -170,12 +170,26 @@ void blend(Samples& a, const Samples& b, const uint8_t* weights, size_t count) {
 }
 
 template <PixelFormat kFormat>
-void pack(const Samples& samples, size_t count, uint8_t* to) {
-  for (size_t i = 0; i < count; ++i) {
+void pack(const Samples& samples, size_t first, size_t count, uint8_t* to) {
+  for (size_t i = first; i < first + count; ++i) {
     for (const auto& channel : samples.channel) *to++ = channel[i];
     if (kFormat == PixelFormat::kBgrx8) *to++ = 255;
   }
 }
+
+template <PixelFormat kFormat>
+void pack_list(const Samples& samples, size_t count, uint8_t* to) {
+  pack<kFormat>(samples, 0, count, to);
+}
+
+template <PixelFormat kFormat>
+void pack_rows(const Samples& samples, size_t rows, uint8_t* to, size_t pitch) {
+  for (size_t row = 0; row < rows; ++row)
+    pack<kFormat>(samples, row * kBlockSize, kBlockSize, to + row * pitch);
+}
+
+template <PixelFormat kFormat>
+constexpr Packing kPacking = {pack_list<kFormat>, pack_rows<kFormat>};
 
 }  // namespace
 
@@ -186,7 +200,7 @@ const Stages kPortableStages = {turn_to_bgr,
                                 tone_tables,
                                 tone_map,
                                 blend,
-                                pack<PixelFormat::kBgr8>,
-                                pack<PixelFormat::kBgrx8>};
+                                kPacking<PixelFormat::kBgr8>,
+                                kPacking<PixelFormat::kBgrx8>};
 
 }  // namespace svchain::synthesis

@@ -8,6 +8,7 @@
 
 #include "algorithms/synthesis/fixed_point.h"
 #include "algorithms/synthesis/frame_box.h"
+#include "algorithms/synthesis/geometric_lut.h"
 #include "algorithms/synthesis/overlap_statistics.h"
 #include "algorithms/synthesis/tone_mapping.h"
 
@@ -16,7 +17,7 @@ namespace svchain::synthesis {
 inline constexpr size_t kLargestVector = 64;  // bytes
 /// So many pixels of a region go through all stages at a time: what one leaves for the next stays near.
 inline constexpr size_t kStagePixels = 320;
-static_assert(kStagePixels % kLargestVector == 0);
+static_assert(kStagePixels % kLargestVector == 0 && kStagePixels % kBlockSize == 0);
 
 /// Samples, channel by channel (b, g, r). Stages may also write what lies behind `count` up to the next
 /// multiple of 64; what is there has no meaning.
@@ -36,6 +37,14 @@ struct ToneTables {
   alignas(kLargestVector) uint8_t channel[kChannels][256];
 };
 
+/// Samples as pixels of one format.
+struct Packing {
+  /// One behind the other; may write up to the next multiple of 64 pixels.
+  void (*list)(const Samples& samples, size_t count, uint8_t* to);
+  /// Rows of kBlockSize, `pitch` bytes apart; writes nothing else.
+  void (*rows)(const Samples& samples, size_t rows, uint8_t* to, size_t pitch);
+};
+
 struct Stages {
   /// Turns the pixels of a YUV box that `rows` name to b g r, row by row `pitch` bytes apart; `bgr` is the
   /// box's first pixel. May also write one pixel before and 64 behind each run of a row.
@@ -50,9 +59,7 @@ struct Stages {
   void (*tone_map)(const ToneTables& tables, size_t count, Samples& samples);
   /// Blends b into a. `weights` are aligned and padded as samples are.
   void (*blend)(Samples& a, const Samples& b, const uint8_t* weights, size_t count);
-  /// Samples as pixels one behind the other; may write up to the next multiple of 64 pixels.
-  using Pack = void (*)(const Samples& samples, size_t count, uint8_t* to);
-  Pack pack_bgr, pack_bgrx;
+  Packing bgr, bgrx;
 };
 
 /// The reference.

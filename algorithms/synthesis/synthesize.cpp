@@ -24,16 +24,9 @@ struct Source {
   std::optional<Falloff> falloff;
 };
 
-/// Copies a row's run; a whole row of a block of BGR is by far the most frequent, and its size known.
-void copy_run(const uint8_t* from, size_t bytes, uint8_t* to) {
-  if (bytes == kBlockSize * kChannels)
-    std::memcpy(to, from, kBlockSize * kChannels);
-  else
-    std::memcpy(to, from, bytes);
-}
-
+constexpr size_t kBlockPixels = size_t{kBlockSize} * kBlockSize;
 /// A block's, and what the last portion may write behind.
-constexpr size_t kPackedPixels = kBlockSize * kBlockSize + kLargestVector;
+constexpr size_t kPackedPixels = kBlockPixels + kLargestVector;
 constexpr size_t kMostBytesPerPx = 4;
 
 /// Calls visit(at, count) for one portion of a region after the other.
@@ -53,7 +46,7 @@ class Synthesis {
         out_(out),
         statistics_(statistics),
         stages_(kernel == Kernel::kPortable ? kPortableStages : *vector_stages(kernel)),
-        pack_(out.format == PixelFormat::kBgrx8 ? stages_.pack_bgrx : stages_.pack_bgr),
+        packing_(out.format == PixelFormat::kBgrx8 ? stages_.bgrx : stages_.bgr),
         px_bytes_(out.format == PixelFormat::kBgrx8 ? kMostBytesPerPx : kChannels),
         prefetch_(lut, frames, out) {
     for (size_t i = 0; i < frames.size(); ++i) tone_[i] = stages_.tone_tables(tone_mapping.curves[i]);
@@ -69,6 +62,7 @@ class Synthesis {
     const LutSpan* spans = lut_.spans(block).data();
     for (const LutRegion& region : lut_.regions(block)) {
       const uint8_t* pixels = packed_;
+      whole_ = region.pixels == kBlockPixels && region.kind != RegionKind::kBackground;
       switch (region.kind) {
         case RegionKind::kBlack:
           show_black(region);
@@ -85,7 +79,7 @@ class Synthesis {
           weights += region.pixels;
           break;
       }
-      spread({spans, region.span_count}, pixels);
+      if (!whole_) spread({spans, region.span_count}, pixels);
       spans += region.span_count;
       entries += region.pixels * region.tap_count();
     }
@@ -140,8 +134,13 @@ class Synthesis {
     return target;
   }
 
+  /// A region that is all of its block goes to its place at once, any other into a list that is spread after.
   void pack(const Samples& samples, size_t at, size_t count) {
-    pack_(samples, count, packed_ + at * px_bytes_);
+    const size_t pitch = target_.pitch_bytes;
+    if (whole_)
+      packing_.rows(samples, count / kBlockSize, target_.pixels + at / kBlockSize * pitch, pitch);
+    else
+      packing_.list(samples, count, packed_ + at * px_bytes_);
   }
 
   void show_black(const LutRegion& region) {
@@ -200,8 +199,8 @@ class Synthesis {
   /// From a region's list to the rows of its block.
   void spread(std::span<const LutSpan> spans, const uint8_t* pixels) const {
     for (const LutSpan& span : spans) {
-      copy_run(pixels, span.count * px_bytes_,
-               target_.pixels + span.row * target_.pitch_bytes + span.start * px_bytes_);
+      std::memcpy(target_.pixels + span.row * target_.pitch_bytes + span.start * px_bytes_, pixels,
+                  span.count * px_bytes_);
       pixels += span.count * px_bytes_;
     }
   }
@@ -227,14 +226,15 @@ class Synthesis {
   const Picture& out_;
   OverlapStatistics* statistics_;
   const Stages& stages_;
-  const Stages::Pack pack_;
+  const Packing& packing_;
   const size_t px_bytes_;
   Prefetch prefetch_;
   ConvertedBoxes converted_;
   std::array<ToneTables, kMaxCameras> tone_;
   std::array<Source, 4> sources_;
   std::array<OverlapBlock, 4> overlaps_;
-  Picture target_;  // of the block
+  Picture target_;      // of the block
+  bool whole_ = false;  // the region is all of it
   Samples first_;
   Samples second_;
   alignas(kLargestVector) uint8_t weights_[kStagePixels];

@@ -157,18 +157,38 @@ void blend(Samples& a, const Samples& b, const uint8_t* weights, size_t count) {
   }
 }
 
+/// As many pixels as there are lanes, from sample `at`.
+template <colour::PixelFormat kFormat, class D>
+HWY_INLINE void pack_vector(D d, const Samples& samples, size_t at, uint8_t* to) {
+  const auto b = hn::LoadU(d, samples.channel[0] + at), g = hn::LoadU(d, samples.channel[1] + at),
+             r = hn::LoadU(d, samples.channel[2] + at);
+  if constexpr (kFormat == colour::PixelFormat::kBgrx8)
+    hn::StoreInterleaved4(b, g, r, hn::Set(d, 255), d, to);
+  else
+    hn::StoreInterleaved3(b, g, r, d, to);
+}
+
 template <colour::PixelFormat kFormat>
-void pack(const Samples& samples, size_t count, uint8_t* to) {
+void pack_list(const Samples& samples, size_t count, uint8_t* to) {
   const U8 d;
-  for (size_t i = 0; i < count; i += hn::Lanes(d), to += hn::Lanes(d) * colour::bytes_per_px(kFormat)) {
-    const V8 b = hn::Load(d, samples.channel[0] + i), g = hn::Load(d, samples.channel[1] + i),
-             r = hn::Load(d, samples.channel[2] + i);
-    if constexpr (kFormat == colour::PixelFormat::kBgrx8)
-      hn::StoreInterleaved4(b, g, r, hn::Set(d, 255), d, to);
-    else
-      hn::StoreInterleaved3(b, g, r, d, to);
+  for (size_t i = 0; i < count; i += hn::Lanes(d))
+    pack_vector<kFormat>(d, samples, i, to + i * colour::bytes_per_px(kFormat));
+}
+
+/// The last vector of a row ends with it, and writes some pixels once more.
+template <colour::PixelFormat kFormat>
+void pack_rows(const Samples& samples, size_t rows, uint8_t* to, size_t pitch) {
+  const hn::CappedTag<uint8_t, 32> d;
+  const size_t lanes = hn::Lanes(d), last = kBlockSize - lanes;
+  for (size_t first = 0; first < rows * kBlockSize; first += kBlockSize, to += pitch) {
+    for (size_t x = 0; x < last; x += lanes)
+      pack_vector<kFormat>(d, samples, first + x, to + x * colour::bytes_per_px(kFormat));
+    pack_vector<kFormat>(d, samples, first + last, to + last * colour::bytes_per_px(kFormat));
   }
 }
+
+template <colour::PixelFormat kFormat>
+inline constexpr Packing kPacking = {pack_list<kFormat>, pack_rows<kFormat>};
 
 /// RadialScale::length of every distance.
 HWY_INLINE hn::Vec<I32> length(const RadialScale& radial, hn::Vec<I32> distance) {

@@ -41,8 +41,8 @@ inline constexpr Stages kStages = {turn_to_bgr,
                                    tone_tables,
                                    tone_map,
                                    blend,
-                                   pack<colour::PixelFormat::kBgr8>,
-                                   pack<colour::PixelFormat::kBgrx8>};
+                                   kPacking<colour::PixelFormat::kBgr8>,
+                                   kPacking<colour::PixelFormat::kBgrx8>};
 
 #endif
 }  // namespace svchain::synthesis::HWY_NAMESPACE

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <span>
 #include <stdexcept>
 
 #include "usecases/svchain_bench/library_hops.h"
@@ -23,22 +24,27 @@ using Pictures = std::array<cv::Mat, 4>;
 
 /// The same pictures in places of their own, more than caches hold: frames of a camera come from memory,
 /// while LUTs stay where they are.
-std::vector<Pictures> arriving_frames(const ParkedCar& car) {
-  std::vector<Pictures> frames(16);
-  for (Pictures& pictures : frames)
-    for (size_t camera = 0; camera < pictures.size(); ++camera)
-      pictures[camera] = car.pictures()[camera].clone();
-  return frames;
-}
+struct ArrivingFrames {
+  explicit ArrivingFrames(const ParkedCar& car) {
+    size_t set = 0;
+    for (const cv::Mat& picture : car.pictures()) set += PoolMemory::room_for(picture.size(), picture.type());
+    memory = PoolMemory(frames.size() * set);
+    for (Pictures& pictures : frames)
+      for (size_t camera = 0; camera < pictures.size(); ++camera)
+        pictures[camera] = memory.place_copy(car.pictures()[camera]);
+  }
+  PoolMemory memory;
+  std::array<Pictures, 16> frames;
+};
 
-double synthesis_ms(Kernels& kernels, const std::vector<Pictures>& frames, int count) {
+double synthesis_ms(Kernels& kernels, std::span<const Pictures> frames, int count) {
   const int64_t start_ns = now_ns();
   for (int i = 0; i < count; ++i) kernels.synthesize(frames[static_cast<size_t>(i) % frames.size()]);
   return static_cast<double>(now_ns() - start_ns) * 1e-6 / count;
 }
 
 /// As many pixels of every size in turn.
-std::vector<SizeCost> size_costs(const ParkedCar& car, const std::vector<Pictures>& frames) {
+std::vector<SizeCost> size_costs(const ParkedCar& car, std::span<const Pictures> frames) {
   constexpr int kRounds = 11, kLargestFrames = 2;
   geometry::View view = usual_view(car, {880, 1080});
   std::vector<SizeCost> costs;
@@ -83,7 +89,7 @@ std::vector<LineCost> line_costs() {
   return costs;
 }
 
-std::vector<CameraCost> camera_costs(const ParkedCar& car, const std::vector<Pictures>& frames) {
+std::vector<CameraCost> camera_costs(const ParkedCar& car, std::span<const Pictures> frames) {
   constexpr int kRounds = 11;
   std::vector<CameraCost> costs;
   for (const int cameras : kCameraCounts) {
@@ -118,12 +124,12 @@ std::vector<double> Growth::ns_per_camera_pixel() const {
 
 Growth measure_growth(const Progress& progress) {
   const ParkedCar car;
-  const std::vector<Pictures> frames = arriving_frames(car);
+  const ArrivingFrames arriving(car);
   Growth growth;
   progress("cost against output size");
-  growth.sizes = size_costs(car, frames);
+  growth.sizes = size_costs(car, arriving.frames);
   progress("cost against cameras");
-  growth.cameras = camera_costs(car, frames);
+  growth.cameras = camera_costs(car, arriving.frames);
   progress("cost against links");
   growth.lines = line_costs();
   return growth;

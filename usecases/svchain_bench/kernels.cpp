@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "algorithms/synthesis/synthesize.h"
 #include "usecases/svchain_bench/round_trips.h"
 #include "usecases/svchain_bench/surround_view.h"
@@ -11,15 +13,22 @@ geometry::View usual_view(const ParkedCar& car, const Eigen::Vector2i& size_px) 
   return view;
 }
 
-Kernels::Kernels(const ParkedCar& car, const geometry::View& view) : pictures_(car.pictures()) {
-  lut_memory_.resize(synthesis::geometric_lut_capacity(view, 4));
-  synthesis::build_geometric_lut(car.rig(), view, {}, lut_memory_);
-  lut_ = std::make_unique<synthesis::GeometricLut>(lut_memory_);
+Kernels::Kernels(const ParkedCar& car, const geometry::View& view) {
+  const cv::Size size_px(view.size_px.x(), view.size_px.y());
+  const size_t lut_bytes = synthesis::geometric_lut_capacity(view, 4);
+  size_t bytes = PoolMemory::room_for(lut_bytes) + PoolMemory::room_for(size_px, CV_8UC3);
+  for (const cv::Mat& picture : car.pictures()) bytes += PoolMemory::room_for(picture.size(), picture.type());
+  memory_ = PoolMemory(bytes);
+  std::transform(car.pictures().begin(), car.pictures().end(), pictures_.begin(),
+                 [&](const cv::Mat& picture) { return memory_.place_copy(picture); });
+  composite_ = memory_.place(size_px, CV_8UC3);
+  const std::span<std::byte> lut_memory = memory_.place(lut_bytes);
+  synthesis::build_geometric_lut(car.rig(), view, {}, lut_memory);
+  lut_ = std::make_unique<synthesis::GeometricLut>(lut_memory);
   statistics_memory_.resize(synthesis::OverlapStatistics::bytes_for(view));
   photometric::AlignmentSettings settings;  // those of the use case
   settings.most_blocks = statistics_memory_.size() / sizeof(synthesis::OverlapBlock);
   alignment_ = std::make_unique<photometric::PhotometricAlignment>(settings);
-  composite_.create(view.size_px.y(), view.size_px.x(), CV_8UC3);
 }
 
 void Kernels::synthesize(const std::array<cv::Mat, 4>& pictures) {

@@ -16,6 +16,7 @@
 #include "algorithms/photometric/photometric_alignment.h"
 #include "algorithms/synthesis/geometric_lut.h"
 #include "algorithms/synthesis/overlap_statistics.h"
+#include "usecases/svchain_bench/pool_memory.h"
 
 namespace svchain::bench {
 
@@ -43,7 +44,7 @@ class ParkedCar {
 /// The vehicle's length takes 45 % of the view's height, as in the use case.
 geometry::View usual_view(const ParkedCar& car, const Eigen::Vector2i& size_px);
 
-/// Synthesis and photometric alignment, one after the other on one thread.
+/// Synthesis and photometric alignment, one after the other on one thread, in memory as the chain has it.
 class Kernels {
  public:
   Kernels(const ParkedCar& car, const geometry::View& view);
@@ -57,8 +58,9 @@ class Kernels {
   size_t camera_pixels() const;
 
  private:
-  const std::array<cv::Mat, 4>& pictures_;
-  std::vector<std::byte> lut_memory_, statistics_memory_;
+  PoolMemory memory_;
+  std::array<cv::Mat, 4> pictures_;
+  std::vector<std::byte> statistics_memory_;
   std::unique_ptr<synthesis::GeometricLut> lut_;
   std::unique_ptr<photometric::PhotometricAlignment> alignment_;
   cv::Mat composite_;

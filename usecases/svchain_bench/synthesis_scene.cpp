@@ -35,16 +35,6 @@ cv::Mat softened(const cv::Mat& picture) {
 
 constexpr int kSets = 8;
 
-constexpr size_t kPlacement = 4096;  // as buffers of a pool begin
-
-size_t room_for(size_t bytes) {
-  return (bytes + kPlacement - 1) / kPlacement * kPlacement;
-}
-
-size_t room_for(const cv::Size& size_px, int type) {
-  return room_for(static_cast<size_t>(size_px.area()) * CV_ELEM_SIZE(type));
-}
-
 cv::Size nv12_size(const cv::Size& size_px) {
   return {size_px.width, size_px.height * 3 / 2};
 }
@@ -53,29 +43,19 @@ cv::Size nv12_size(const cv::Size& size_px) {
 size_t room_for_sets(const std::array<cv::Mat, 4>& pictures) {
   size_t set = 0;
   for (const cv::Mat& picture : pictures)
-    set += room_for(picture.size(), CV_8UC3) + room_for(nv12_size(picture.size()), CV_8U);
+    set += PoolMemory::room_for(picture.size(), CV_8UC3) +
+           PoolMemory::room_for(nv12_size(picture.size()), CV_8U);
   return kSets * set;
 }
 
 }  // namespace
 
-std::span<std::byte> SynthesisScene::place(size_t bytes) {
-  const std::span<std::byte> placed = memory_.bytes().subspan(placed_bytes_, bytes);
-  placed_bytes_ += room_for(bytes);
-  return placed;
-}
-
-cv::Mat SynthesisScene::place(const cv::Size& size_px, int type) {
-  return {size_px, type, place(static_cast<size_t>(size_px.area()) * CV_ELEM_SIZE(type)).data()};
-}
-
 SynthesisScene::Set SynthesisScene::set_of(const std::array<cv::Mat, 4>& pictures) {
   Set set;
   for (size_t camera = 0; camera < pictures.size(); ++camera) {
     const cv::Size size = pictures[camera].size();
-    set.bgr[camera] = place(size, CV_8UC3);
-    pictures[camera].copyTo(set.bgr[camera]);
-    set.nv12[camera] = place(nv12_size(size), CV_8U);
+    set.bgr[camera] = memory_.place_copy(pictures[camera]);
+    set.nv12[camera] = memory_.place(nv12_size(size), CV_8U);
     set.bgr_pictures[camera] = colour::bgr_picture(set.bgr[camera]);
     set.nv12_pictures[camera] =
         colour::nv12_picture(size.width, size.height, set.nv12[camera].step[0], set.nv12[camera].data,
@@ -91,10 +71,10 @@ SynthesisScene::SynthesisScene(const ParkedCar& car) : curves(curves_of_slope_on
   const size_t lut_bytes = synthesis::geometric_lut_capacity(view, 4);
   std::array<cv::Mat, 4> soft;
   std::transform(car.pictures().begin(), car.pictures().end(), soft.begin(), softened);
-  memory_ = ipc::SharedRegion("svchain:bench",
-                              room_for(size_px, CV_8UC3) + room_for(lut_bytes) + room_for_sets(soft));
-  composite = place(size_px, CV_8UC3);
-  const std::span<std::byte> lut_memory = place(lut_bytes);
+  memory_ = PoolMemory(PoolMemory::room_for(size_px, CV_8UC3) + PoolMemory::room_for(lut_bytes) +
+                       room_for_sets(soft));
+  composite = memory_.place(size_px, CV_8UC3);
+  const std::span<std::byte> lut_memory = memory_.place(lut_bytes);
   synthesis::build_geometric_lut(car.rig(), view, {}, lut_memory);
   lut_ = std::make_unique<synthesis::GeometricLut>(lut_memory);
   statistics_memory_.resize(synthesis::OverlapStatistics::bytes_for(view));

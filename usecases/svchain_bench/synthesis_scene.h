@@ -2,20 +2,18 @@
 // What synthesis and those it is measured against read and write: frames of the parked car, its LUT, curves
 // and a composite, made so that all of them agree but for rounding. The frames are there several times over,
 // more than caches hold: in a stream a camera's frames come from memory, while LUTs, maps and the like stay
-// near. Frames, composite and LUT lie where a chain's pools have them (ipc/shared_region.h). One thread calls
-// it.
+// near. Frames, composite and LUT lie in memory as a chain's pools have it. One thread calls it.
 
 #include <array>
 #include <cstddef>
 #include <memory>
 #include <opencv2/core/mat.hpp>
-#include <span>
 #include <vector>
 
 #include "algorithms/colour/picture.h"
 #include "algorithms/synthesis/synthesize.h"
 #include "framework/chain/workers.h"
-#include "ipc/shared_region.h"
+#include "usecases/svchain_bench/pool_memory.h"
 #include "usecases/svchain_bench/surround_view.h"
 
 namespace svchain::bench {
@@ -44,11 +42,8 @@ class SynthesisScene {
 
  private:
   Set set_of(const std::array<cv::Mat, 4>& pictures);
-  cv::Mat place(const cv::Size& size_px, int type);
-  std::span<std::byte> place(size_t bytes);
 
-  ipc::SharedRegion memory_;
-  size_t placed_bytes_ = 0;
+  PoolMemory memory_;
   std::vector<std::byte> statistics_memory_;
   std::unique_ptr<synthesis::GeometricLut> lut_;
   synthesis::OverlapStatistics* statistics_;  // in its memory
