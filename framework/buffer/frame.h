@@ -19,9 +19,7 @@ class Frame {
  public:
   Frame() = default;
   /// Takes over the references that the message carries.
-  Frame(const ipc::Message& message, Holder& holder) : message_(message), holder_(&holder) {
-    for_each_buffer([&](ipc::BufferId b) { holder.arrived(b); });
-  }
+  Frame(const ipc::Message& message, Holder& holder) : message_(message), holder_(&holder) { arrive(); }
   Frame(Frame&& other) noexcept : message_(other.message_), holder_(std::exchange(other.holder_, nullptr)) {
     other.message_.count = 0;
   }
@@ -35,6 +33,13 @@ class Frame {
     return *this;
   }
   ~Frame() { release(); }
+  /// Becomes the frame of a message, and takes over the references that it carries.
+  void receive(const ipc::Message& message, Holder& holder) {
+    release();
+    message_ = message;
+    holder_ = &holder;
+    arrive();
+  }
 
   /// True if it carries buffers.
   explicit operator bool() const { return holder_ != nullptr && message_.count > 0; }
@@ -80,6 +85,9 @@ class Frame {
     for (size_t i = 0; i < message_.count; ++i) {
       if (message_.buffers[i] != ipc::kNoBuffer) with(message_.buffers[i]);
     }
+  }
+  void arrive() {
+    for_each_buffer([&](ipc::BufferId b) { holder_->arrived(b); });
   }
   void add_references() const;
   void drop_references();

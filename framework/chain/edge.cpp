@@ -20,8 +20,7 @@ bool evicts(Policy policy) {
 
 Edge::Edge(std::string name, int depth, Policy policy, const End& producer, const End& consumer,
            const Clock& clock, std::optional<int64_t> modelled_latency_ns)
-    : name_(std::move(name)),
-      depth_(policy == Policy::kLatest ? 1 : depth),
+    : depth_(policy == Policy::kLatest ? 1 : depth),
       policy_(policy),
       way_(modelled_latency_ns              ? Way::kModelled
            : producer.core == consumer.core ? Way::kLocal
@@ -29,8 +28,9 @@ Edge::Edge(std::string name, int depth, Policy policy, const End& producer, cons
                                             : Way::kAcross),
       producer_(producer),
       consumer_(consumer),
-      clock_(clock),
       local_(way_ <= Way::kModelled ? static_cast<size_t>(depth_) + 1 : 0),
+      clock_(clock),
+      name_(std::move(name)),
       latency_ns_(modelled_latency_ns.value_or(0)) {
   if (way_ <= Way::kModelled) {
     own_waits_ = std::make_unique<Waits>();
@@ -82,9 +82,15 @@ bool Edge::has_room() {
   if (policy_ != Policy::kBlock) return true;
   if (trouble_) {
     if (in_force(FaultKind::kFull)) return false;  // the core looks again when that is over
-    if (late() > 0 && queued() >= depth) return false;
+    if (late() > 0 && queued() >= depth) {
+      wants_room_ = true;
+      return false;
+    }
   }
-  if (way_ == Way::kLocal) return local_.size() < depth;
+  if (way_ == Way::kLocal) {
+    wants_room_ = local_.size() >= depth;
+    return !wants_room_;
+  }
   if (way_ == Way::kModelled) return queued() < depth;
   if (ring_.filled_at_most() < depth || ring_.filled() < depth) return true;
   waits_->room.set();
@@ -221,7 +227,7 @@ void Edge::pop(int64_t now_ns) {
   if (consumer_recorder_) record_taken(now_ns);
   if (way_ == Way::kLocal) {
     local_.pop();
-    producer_.attention->mark(producer_.runner);
+    if (std::exchange(wants_room_, false)) producer_.attention->mark(producer_.runner);
     return;
   }
   if (const ipc::Message& taken = *oldest(); taken.kind == ipc::MessageKind::kFrame)

@@ -92,7 +92,7 @@ class Edge {
   void send_end();
   /// Ends a call: what it has sent leaves now.
   void publish(int64_t now_ns) {
-    if (ring_.staged() > 0) publish_staged(now_ns);
+    if (way_ == Way::kAcross && ring_.staged() > 0) publish_staged(now_ns);
   }
   void note_full() { full_.add(); }
   /// The consumer has asked for the newest state again. Once true, the request is taken.
@@ -173,19 +173,20 @@ class Edge {
   const ipc::Message* oldest();
   const ipc::Message* front_elsewhere();
 
-  std::string name_;
+  // What a hop within a core looks at comes first and close together; the same of the producer's.
   int depth_;
   Policy policy_;
   Way way_;
-  End producer_, consumer_;
-  const Clock& clock_;
   bool wants_absence_ = true;
+  End producer_, consumer_;
+  LocalRing local_;  // of kModelled too
+  const Clock& clock_;
   int number_ = 0;                                                        // for the recorders
   Recorder *producer_recorder_ = nullptr, *consumer_recorder_ = nullptr;  // null: not traced
-  ipc::SharedRegion region_;  // of an edge between cores: Waits, then the ring
+  std::string name_;
+  ipc::SharedRegion region_;          // of an edge between cores: Waits, then the ring
   std::unique_ptr<Waits> own_waits_;  // of an edge within one thread
   Waits* waits_ = nullptr;
-  LocalRing local_;  // of kModelled too
   std::vector<ipc::Message> held_back_, leaving_;
   int64_t latency_ns_ = 0;
   size_t high_water_ = 0;
@@ -193,9 +194,10 @@ class Edge {
   ipc::EvictingRing<ipc::Message> evicting_;
   // The producer's.
   alignas(ipc::kCacheLine) Counter messages_, full_;
-  uint32_t sent_ = 0;  // the number of the message sent last
-  DropCounts dropped_;
+  uint32_t sent_ = 0;                 // the number of the message sent last
+  bool wants_room_ = false;           // kLocal: the producer has found none
   std::unique_ptr<Trouble> trouble_;  // null: nothing goes wrong here
+  DropCounts dropped_;
   // The consumer's.
   alignas(ipc::kCacheLine) bool awaits_ = false;  // front() has found nothing
   bool claimed_ = false;                          // kEvicting: the front is out of the ring

@@ -10,16 +10,17 @@ namespace svchain {
 Runner::Runner(std::string name, std::string core, std::unique_ptr<Link>& link,
                const LinkDescription& description, OnError on_error, Holder& holder, const Clock& clock,
                Hooks hooks)
-    : name_(std::move(name)),
-      core_(std::move(core)),
+    : trigger_on_(description.trigger),
+      inputs_(description.inputs.size()),
+      outputs_(description.outputs.size()),
       link_(link),
-      description_(description),
-      on_error_(on_error),
       holder_(holder),
       clock_(clock),
-      hooks_(std::move(hooks)),
-      inputs_(description_.inputs.size()),
-      outputs_(description_.outputs.size()) {
+      on_error_(on_error),
+      name_(std::move(name)),
+      core_(std::move(core)),
+      description_(description),
+      hooks_(std::move(hooks)) {
   for (size_t i = 0; i < inputs_.size(); ++i) {
     inputs_[i].intake = description_.inputs[i].intake;
     inputs_[i].optional = description_.inputs[i].optional;
@@ -86,13 +87,13 @@ Runner::Waiting Runner::waiting_inputs() {
       if (!in.frame && !in.optional && !in.ended) return {Wait::kFrame, port};
     } else if (in.feedback) {
       if (!feedback_ready(in)) feedback_port = port;
-    } else if (description_.trigger == Trigger::kAny) {
+    } else if (trigger_on_ == Trigger::kAny) {
       any = any || in.edge->front();
     } else if (!in.edge->front()) {
       return {Wait::kFrame, port};
     }
   }
-  if (description_.trigger == Trigger::kAny && !any) return {Wait::kFrame, 0};
+  if (trigger_on_ == Trigger::kAny && !any) return {Wait::kFrame, 0};
   if (feedback_port >= 0 && !feedback_excused_) return {Wait::kFeedback, feedback_port};
   return {};
 }
@@ -173,7 +174,7 @@ Runner::Gathered Runner::act(int64_t now_ns) {
     wake_at_ns_ = now_ns;
     if (end_requested_.load(std::memory_order_acquire)) gathered = Gathered::kEnd;
   } else {
-    gathered = description_.trigger == Trigger::kAny ? gather_any() : gather_all();
+    gathered = trigger_on_ == Trigger::kAny ? gather_any() : gather_all();
   }
   if (gathered == Gathered::kCall) call_link();
   if (gathered == Gathered::kSkip) leave_absences();
@@ -226,7 +227,7 @@ bool Runner::fronts_are_there() {
 ipc::MessageKind Runner::take_front(In& in) {
   const ipc::Message& front = *in.edge->front();
   const ipc::MessageKind kind = front.kind;
-  if (kind == ipc::MessageKind::kFrame) in.frame = Frame(front, holder_);
+  if (kind == ipc::MessageKind::kFrame) in.frame.receive(front, holder_);
   in.edge->pop(now_ns_);
   return kind;
 }
@@ -331,7 +332,7 @@ uint64_t Runner::frame_number() const {
 
 /// Whatever this call has not sent is missing for good: those who wait for it are told.
 void Runner::leave_absences() {
-  if (is_source() || description_.trigger == Trigger::kAny) return;
+  if (is_source() || trigger_on_ == Trigger::kAny) return;
   for (Out& out : outputs_) {
     if (out.edge && !out.sent && out.edge->wants_absence()) {
       ipc::Message absence;

@@ -202,37 +202,38 @@ class alignas(ipc::kCacheLine) Runner final : public Call {
   uint64_t frame_number() const;
   void discard_inputs();
 
-  std::string name_, core_;
-  std::unique_ptr<Link>& link_;
-  LinkDescription description_;
-  OnError on_error_;
-  Holder& holder_;
-  const Clock& clock_;
-  Hooks hooks_;
-
-  std::vector<In> inputs_;
-  std::vector<Out> outputs_;
+  // What every call looks at comes first, and close together.
   State state_ = State::kIdle;
   bool calls_without_room_ = false;
   bool keeps_newest_ = false;  // of some output
   bool takes_states_ = false;  // at some input
-  int64_t send_again_ns_ = kNever, sent_again_ns_ = 0;
-  std::atomic<bool> end_requested_{false};
   bool called_ = false;
-  Gathered under_way_ = Gathered::kNothing;  // from begin_call() to end_call()
-  bool threw_ = false;                       // the last call
+  bool threw_ = false;  // the last call
   bool failed_ = false;
   bool feedback_excused_ = false;
-  Moment trigger_;
-  uint16_t lost_at_ = 0;  // of a set that goes no further
+  std::atomic<bool> end_requested_{false};
+  Trigger trigger_on_;
+  Gathered under_way_ = Gathered::kNothing;  // from begin_call() to end_call()
+  uint16_t lost_at_ = 0;                     // of a set that goes no further
   uint16_t place_ = 0;
+  int number_ = 0;  // for the recorder
+  std::vector<In> inputs_;
+  std::vector<Out> outputs_;
   int64_t now_ns_ = 0;
-  int64_t wake_at_ns_ = 0;
+  Moment trigger_;
+  std::unique_ptr<Link>& link_;
+  Holder& holder_;
+  const Clock& clock_;
   Workers* workers_ = nullptr;
-  int number_ = 0;                // for the recorder
-  Recorder* recorder_ = nullptr;  // null: not traced
-  RunnerCounters counters_;
+  Recorder* recorder_ = nullptr;        // null: not traced
   std::unique_ptr<LinkFaults> faults_;  // null: nothing goes wrong
+  int64_t wake_at_ns_ = 0;
+  int64_t send_again_ns_ = kNever, sent_again_ns_ = 0;
+  OnError on_error_;
+  RunnerCounters counters_;
+  std::string name_, core_;
+  LinkDescription description_;
+  Hooks hooks_;
 };
 
 }  // namespace svchain

@@ -14,7 +14,7 @@ namespace svchain {
 /// A link that takes what comes, or makes it, knows its losses only once it has something to send. Others
 /// throw before they have begun.
 bool Runner::throws_as_it_sends() const {
-  return !outputs_.empty() && (is_source() || description_.trigger == Trigger::kAny);
+  return !outputs_.empty() && (is_source() || trigger_on_ == Trigger::kAny);
 }
 
 void Runner::throw_if_struck(uint64_t occasion) {

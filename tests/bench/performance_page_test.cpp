@@ -20,7 +20,7 @@ Measured made_up() {
   measured.results.figures["hop.same_core_ns"] = 130;
   measured.growth.sizes = {{440, 540, 1, 200'000}, {880, 1080, 4, 800'000}, {1760, 2160, 24, 3'000'000}};
   measured.growth.lines = {{1, 200, 400, {}}, {2, 300, 900, 150}};
-  measured.growth.cameras = {{4, 4.5}};
+  measured.growth.cameras = {{2, 110, 210, {}}, {4, 120, 230, 4.5}};
   measured.machine = {"a machine", "a compiler", "4.6.0"};
   measured.versions = {{"OpenCV", "4.6.0"}, {"TBB", "not installed"}};
   measured.date = "2024-03-31";
@@ -57,6 +57,12 @@ TEST_CASE("of a ratio that is ours over the other's, ours is the first cost, and
       row(page_of(made_up()), "`hop.spin_park_rtt_over_raw_ring`") ==
       "| `hop.spin_park_rtt_over_raw_ring` | ring, spinning | 1.40 | 1.30 to 1.60 | at most 1.5 | yes | 1400 "
       "| 1000 |");
+}
+
+TEST_CASE("sets of more cameras stand one below the other, synthesis only of as many as a rig has") {
+  const std::string page = page_of(made_up());
+  CHECK_THAT(page, Contains("| 2 | 110 | 210 |  |"));
+  CHECK_THAT(page, Contains("| 4 | 120 | 230 | 4.50 |"));
 }
 
 TEST_CASE("what is missing says why, or that it was not measured") {

@@ -70,9 +70,10 @@ double chain_stream_ns(int spins, int depth, int messages) {
   return per_frame_ns(use_case, spins, messages);
 }
 
-double chain_line_ns(int links, int cores, int frames) {
+double chain_line_ns(int links, int cores, int frames, int buffers) {
   constexpr int kSpins = 200;
   Json use_case = {{"name", "line"}, {"links", {{"ticker", link("ticker", "A")}}}, {"edges", Json::array()}};
+  use_case["links"]["ticker"]["params"]["buffers"] = buffers;
   std::string last = "ticker";
   const auto append = [&](const std::string& type, const std::string& name, int at) {
     use_case["links"][name] = link(type, cores == 2 && at % 2 == 1 ? "B" : "A");

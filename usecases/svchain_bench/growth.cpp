@@ -18,7 +18,7 @@ namespace {
 constexpr std::array<std::array<int, 2>, 4> kSizesPx = {
     {{440, 540}, {880, 1080}, {1760, 2160}, {3520, 4320}}};
 constexpr std::array kLineLinks = {1, 2, 4, 8, 16, 32, 64, 128, 256};
-constexpr std::array kCameraCounts = {4};  // those that the parked car can have
+constexpr std::array kCameraCounts = {2, 4, 6, 8};
 
 using Pictures = std::array<cv::Mat, 4>;
 
@@ -89,17 +89,39 @@ std::vector<LineCost> line_costs() {
   return costs;
 }
 
-std::vector<CameraCost> camera_costs(const ParkedCar& car, std::span<const Pictures> frames) {
+/// What a link more costs a frame of so many buffers.
+double hop_ns(int cores, int buffers) {
+  constexpr int kLinks = 16, kFrames = 20'000;
+  return (chain_line_ns(1 + kLinks, cores, kFrames, buffers) - chain_line_ns(1, cores, kFrames, buffers)) /
+         kLinks;
+}
+
+double usual_synthesis_ms(const ParkedCar& car, std::span<const Pictures> frames) {
   constexpr int kRounds = 11;
+  Kernels kernels(car, usual_view(car, {880, 1080}));
+  std::vector<double> rounds_ms;
+  for (int round = 0; round < kRounds; ++round)
+    rounds_ms.push_back(synthesis_ms(kernels, frames, static_cast<int>(frames.size())));
+  return median(rounds_ms);
+}
+
+std::vector<CameraCost> camera_costs(const ParkedCar& car, std::span<const Pictures> frames) {
+  constexpr int kRounds = 7;
+  struct Rounds {
+    std::vector<double> one, two;
+  };
+  std::vector<Rounds> rounds(kCameraCounts.size());
+  for (int round = 0; round < kRounds; ++round)
+    for (size_t i = 0; i < rounds.size(); ++i) {
+      rounds[i].one.push_back(hop_ns(1, kCameraCounts[i]));
+      rounds[i].two.push_back(hop_ns(2, kCameraCounts[i]));
+    }
   std::vector<CameraCost> costs;
-  for (const int cameras : kCameraCounts) {
-    if (static_cast<size_t>(cameras) != car.pictures().size())
-      throw std::logic_error("no car with " + std::to_string(cameras) + " cameras");
-    Kernels kernels(car, usual_view(car, {880, 1080}));
-    std::vector<double> rounds_ms;
-    for (int round = 0; round < kRounds; ++round)
-      rounds_ms.push_back(synthesis_ms(kernels, frames, static_cast<int>(frames.size())));
-    costs.push_back({cameras, median(rounds_ms)});
+  for (size_t i = 0; i < rounds.size(); ++i) {
+    CameraCost cost{kCameraCounts[i], median(rounds[i].one), median(rounds[i].two), std::nullopt};
+    if (static_cast<size_t>(cost.cameras) == car.pictures().size())
+      cost.synthesis_ms = usual_synthesis_ms(car, frames);
+    costs.push_back(cost);
   }
   return costs;
 }

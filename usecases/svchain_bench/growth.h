@@ -27,10 +27,11 @@ struct LineCost {
   std::optional<double> tbb_ns;              // the same number of nodes of a flow graph, one thread
 };
 
-/// Synthesis of 880x1080 px from this many cameras.
+/// A line of links that hand sets of so many cameras on, and synthesis of 880x1080 px, whose rigs have four.
 struct CameraCost {
   int cameras = 0;
-  double ms = 0;
+  double one_core_hop_ns = 0, two_cores_hop_ns = 0;
+  std::optional<double> synthesis_ms;
 };
 
 /// The largest of some costs over the smallest. Throws std::invalid_argument for none.

@@ -1,14 +1,16 @@
 #include "usecases/svchain_bench/hop_links.h"
 
 #include "framework/link/call.h"
+#include "ipc/message.h"
 #include "usecases/svchain_bench/pinned.h"
 
 namespace svchain::bench {
 
 namespace {
 
+/// Of frames of any number of buffers.
 PortDescription port(std::string name, std::vector<std::string> forwards = {}) {
-  return {.name = std::move(name), .types = {"tick"}, .count = 1, .forwards = std::move(forwards)};
+  return {.name = std::move(name), .types = {"tick"}, .forwards = std::move(forwards)};
 }
 
 LinkDescription description(std::string type, std::vector<PortDescription> inputs,
@@ -33,14 +35,21 @@ class HopLink : public Link {
   int end_ = 0;
 };
 
-const PortFormat kTick = {Format::table("tick", 64)};
+PortFormat ticks(size_t buffers) {
+  return PortFormat(buffers, Format::table("tick", 64));
+}
 
 class Ticker final : public HopLink {
  public:
-  LinkDescription describe() const override { return description("ticker", {}, {port("out")}); }
+  LinkDescription describe() const override {
+    LinkDescription d = description("ticker", {}, {port("out")});
+    d.parameters.push_back(
+        integer("buffers", 1, {1, ipc::kMaxBuffers}, "", "of a frame, as cameras of a set"));
+    return d;
+  }
   void configure(Configuration& configuration) override {
     HopLink::configure(configuration);
-    configuration.output(0, kTick);
+    configuration.output(0, ticks(static_cast<size_t>(configuration.parameters().integer("buffers"))));
     count_ = configuration.pace().frames.value_or(1);
     next_ = 0;
   }
@@ -91,8 +100,8 @@ class Ping final : public HopLink {
   }
   void configure(Configuration& configuration) override {
     HopLink::configure(configuration);
-    configuration.output(0, kTick);
-    configuration.output(1, kTick);
+    configuration.output(0, ticks(1));
+    configuration.output(1, ticks(1));
   }
   void process(Call& call) override {
     round_trips_.depart();

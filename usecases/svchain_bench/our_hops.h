@@ -18,7 +18,7 @@ RoundTrips chain_round_trips(int spins, int trips);
 double chain_stream_ns(int spins, int depth, int messages);
 
 /// Time per frame of a source, this many links that hand it on and a sink, all on one core, or every one on
-/// the other core than the one before.
-double chain_line_ns(int links, int cores, int frames);
+/// the other core than the one before. A frame has so many buffers, as a set has cameras.
+double chain_line_ns(int links, int cores, int frames, int buffers = 1);
 
 }  // namespace svchain::bench
