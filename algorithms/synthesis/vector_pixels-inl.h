@@ -97,10 +97,9 @@ void tone_map(const ToneTables& tables, size_t count, Samples& samples) {
   }
 }
 #else
-/// Sixteen tables of sixteen values. A lookup by bytes gives 0 for negative indices, so with the index
-/// lowered by 16 from table to table, value v gets the exclusive or of the tables 0 to v / 16; hence each is
-/// kept as the exclusive or of itself and the one before. Indices being signed, either half of the curve is a
-/// chain.
+/// Twice eight tables of sixteen values, for either half of the curve. A lookup by bytes gives 0 for negative
+/// indices, so with the index lowered by 16 from table to table, value v gets the exclusive or of the tables
+/// 0 to v / 16; hence each is kept as the exclusive or of itself and the one before.
 ToneTables tone_tables(const std::array<ToneMapping::Curve, kChannels>& curves) {
   ToneTables tables;
   for (size_t c = 0; c < kChannels; ++c)
@@ -109,22 +108,22 @@ ToneTables tone_tables(const std::array<ToneMapping::Curve, kChannels>& curves) 
   return tables;
 }
 
-/// Half a curve, 0 for indices that are negative.
-HWY_INLINE V8 look_up_half(const uint8_t* table, V8 index) {
-  const hn::ScalableTag<int8_t> d;
-  const U8 d8;
-  auto at = hn::BitCast(d, index);
-  V8 found = hn::Zero(d8);
+/// Both halves of the curve at once, of which the value's highest bit takes one.
+HWY_INLINE V8 look_up(const uint8_t* table, V8 value) {
+  const U8 d;
+  V8 at = hn::And(value, hn::Set(d, 0x7F)), below = hn::Zero(d), above = hn::Zero(d);
   for (size_t t = 0; t < 128; t += 16) {
 #if HWY_ARCH_X86
-    const V8 within = hn::BitCast(d8, at);  // bits 4 to 6 say nothing there
+    const V8 within = at;  // bits 4 to 6 say nothing there
 #else
-    const V8 within = hn::And(hn::BitCast(d8, at), hn::Set(d8, 0x8F));
+    const V8 within = hn::And(at, hn::Set(d, 0x8F));
 #endif
-    found = hn::Xor(found, hn::TableLookupBytesOr0(hn::LoadDup128(d8, table + t), within));
-    at = hn::SaturatedSub(at, hn::Set(d, 16));
+    below = hn::Xor(below, hn::TableLookupBytesOr0(hn::LoadDup128(d, table + t), within));
+    above = hn::Xor(above, hn::TableLookupBytesOr0(hn::LoadDup128(d, table + 128 + t), within));
+    at = hn::Sub(at, hn::Set(d, 16));
   }
-  return found;
+  const auto high = hn::BroadcastSignBit(hn::BitCast(hn::ScalableTag<int8_t>(), value));
+  return hn::IfVecThenElse(hn::BitCast(d, high), above, below);
 }
 
 void tone_map(const ToneTables& tables, size_t count, Samples& samples) {
@@ -132,10 +131,7 @@ void tone_map(const ToneTables& tables, size_t count, Samples& samples) {
   for (size_t c = 0; c < kChannels; ++c)
     for (size_t i = 0; i < count; i += hn::Lanes(d)) {
       uint8_t* at = samples.channel[c] + i;
-      const V8 v = hn::Load(d, at);
-      const V8 below = look_up_half(tables.channel[c], v);
-      const V8 above = look_up_half(tables.channel[c] + 128, hn::Xor(v, hn::Set(d, 0x80)));
-      hn::Store(hn::Xor(below, above), d, at);
+      hn::Store(look_up(tables.channel[c], hn::Load(d, at)), d, at);
     }
 }
 #endif

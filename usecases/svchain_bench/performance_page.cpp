@@ -56,7 +56,8 @@ Section synthesis(const Results& results) {
       "float blend. `.1t`: one thread each. `.2t`: two, which wait between frames: B by "
       "`cv::parallel_for_` in strips of rows, ours in parts of blocks as the link does it. `nv12`: frames "
       "in NV12, which B has to convert first. A round is a stream of 24 frames whose pictures come from "
-      "memory. All composites were within 2 levels of each other.\n",
+      "memory, which is a chain's: in huge pages where the system allows them. All composites were within 2 "
+      "levels of each other.\n",
       {ratio_table(results, "synthesis.", "ms")}};
 }
 
